@@ -1,0 +1,42 @@
+// Light at the water surface and below it. Symbols: s = unit direction in which the sun's light travels (s.z < 0),
+// N = unit normal of the surface (N.z > 0), n = refractive index of the water (that of air is 1), n >= 1.
+
+// Cosine of incidence over N_z: power entering per unit horizontal area is E0 times this. Zero where the surface faces away.
+KERNEL real incident_factor(real3 s, real2 slope) {
+    return max(real(0), s.x * slope.x + s.y * slope.y - s.z);
+}
+
+// Unpolarised Fresnel transmittance from the cosines on both sides.
+KERNEL real fresnel_transmittance(real cos_i, real cos_t, real n) {
+    real rs = (cos_i - n * cos_t) / (cos_i + n * cos_t);
+    real rp = (n * cos_i - cos_t) / (n * cos_i + cos_t);
+    return real(1) - real(0.5) * (rs * rs + rp * rp);
+}
+
+// Beer-Lambert: what is left after `path` metres of extinction c (1/m).
+KERNEL real beer_lambert(real c, real path) {
+    return exp(-c * path);
+}
+
+struct Refraction {
+    real2 travel;        // horizontal metres per metre of descent: t_xy / (-t_z)
+    real path;           // metres of path per metre of descent: 1 / (-t_z)
+    real incident;       // cos_i / N_z
+    real transmittance;  // Fresnel
+};
+
+// Snell: t = s/n + (cos_i/n - cos_t) N.
+KERNEL Refraction refract_sun(real3 s, real2 slope, real n, real fresnel) {
+    Refraction r;
+    r.incident = incident_factor(s, slope);
+    real nz = real(1) / sqrt(real(1) + slope.x * slope.x + slope.y * slope.y);
+    real cos_i = r.incident * nz;
+    real inv_n = real(1) / n;
+    real cos_t = sqrt(max(real(0), real(1) - (real(1) - cos_i * cos_i) * inv_n * inv_n));
+    real along = (cos_i * inv_n - cos_t) * nz;
+    real descent = -(s.z * inv_n + along);
+    r.path = real(1) / descent;
+    r.travel = real2((s.x * inv_n - along * slope.x) * r.path, (s.y * inv_n - along * slope.y) * r.path);
+    r.transmittance = real(1) - fresnel * (real(1) - fresnel_transmittance(cos_i, cos_t, n));
+    return r;
+}

@@ -1,0 +1,39 @@
+# How every target of the project is compiled, said once.
+
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE Release)
+endif()
+
+# -O3 vectorises the row loops. Errno, traps and signed zeros stand in its way and nothing here needs them;
+# -ffast-math is never used: a NaN must stay visible.
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+add_library(waterlight_flags INTERFACE)
+target_compile_options(waterlight_flags INTERFACE
+    -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Werror
+    -Wno-unknown-pragmas
+    -fno-math-errno -fno-trapping-math -fno-signed-zeros
+    $<$<BOOL:${WATERLIGHT_NATIVE}>:-march=native>)
+# What lets GCC vectorise code written with GLM.
+target_compile_definitions(waterlight_flags INTERFACE GLM_FORCE_XYZW_ONLY GLM_FORCE_INLINE)
+
+if(WATERLIGHT_SANITIZE)
+    add_compile_options(-fsanitize=${WATERLIGHT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+    add_link_options(-fsanitize=${WATERLIGHT_SANITIZE})
+endif()
+
+# waterlight_library(NAME SOURCE...): the library waterlight_NAME, alias waterlight::NAME.
+function(waterlight_library name)
+    add_library(waterlight_${name} STATIC ${ARGN})
+    add_library(waterlight::${name} ALIAS waterlight_${name})
+    set_target_properties(waterlight_${name} PROPERTIES EXPORT_NAME ${name})
+    target_include_directories(waterlight_${name} PUBLIC
+        $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+        $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/waterlight>)
+    target_link_libraries(waterlight_${name} PRIVATE $<BUILD_INTERFACE:waterlight_flags>)
+    set_property(GLOBAL APPEND PROPERTY WATERLIGHT_LIBRARIES waterlight_${name})
+endfunction()

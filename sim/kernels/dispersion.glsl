@@ -1,0 +1,6 @@
+// Dispersion relations. k: wave number (rad/m), h: depth (m), g: gravity (m/s2), s: surface tension / density (m3/s2).
+
+// Square of the angular frequency of gravity-capillary waves (Airy): (g k + s k^3) tanh(k h).
+KERNEL real airy_omega2(real k, real h, real g, real s) {
+    return (g + s * k * k) * k * tanh(k * h);
+}

@@ -1,0 +1,40 @@
+// The words in which a kernel text is written, for C++. A kernel text is a .glsl file of pure functions on real, real2
+// and real3; C++ includes it once inside namespace f32 (production) and once inside f64 (reference), through the header
+// of the same name beside it. A shader includes sim/kernels/real.glsl instead. In a text:
+//   - start each function with KERNEL; return structs, take no out parameters;
+//   - write every number as real(0.5), so that float code stays float;
+//   - call min, max, abs, sqrt, exp, floor, clamp, tanh, sin, cos, dot, cross unqualified.
+#pragma once
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#define KERNEL [[maybe_unused]] static inline
+
+// By value and without references: GCC vectorises these, and not std::min.
+#define WATERLIGHT_KERNEL_WORDS(T, VEC2, VEC3)                              \
+    using real = T;                                                         \
+    using real2 = VEC2;                                                     \
+    using real3 = VEC3;                                                     \
+    using int2 = glm::ivec2;                                                \
+    using glm::cross;                                                       \
+    using glm::dot;                                                         \
+    KERNEL real min(real a, real b) { return a < b ? a : b; }               \
+    KERNEL real max(real a, real b) { return a > b ? a : b; }               \
+    KERNEL real clamp(real x, real lo, real hi) { return min(max(x, lo), hi); } \
+    KERNEL real abs(real x) { return std::abs(x); }                         \
+    KERNEL real sqrt(real x) { return std::sqrt(x); }                       \
+    KERNEL real exp(real x) { return std::exp(x); }                         \
+    KERNEL real floor(real x) { return std::floor(x); }                     \
+    KERNEL real tanh(real x) { return std::tanh(x); }                       \
+    KERNEL real sin(real x) { return std::sin(x); }                         \
+    KERNEL real cos(real x) { return std::cos(x); }
+
+namespace waterlight::f32 {
+WATERLIGHT_KERNEL_WORDS(float, glm::vec2, glm::vec3)
+}
+namespace waterlight::f64 {
+WATERLIGHT_KERNEL_WORDS(double, glm::dvec2, glm::dvec3)
+}

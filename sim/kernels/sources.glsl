@@ -1,0 +1,17 @@
+// Shapes of the sources. None has a volume: the integral of each profile over the plane (or the line) is zero.
+
+// A drop at distance r from its centre, q = r^2 / R^2, of unit height: (1 - q) exp(-q).
+KERNEL real drop_profile(real q) {
+    return (real(1) - q) * exp(-q);
+}
+
+// Two-dimensional Fourier transform of drop_profile, divided by pi R^2; q = k^2 R^2 / 4.
+KERNEL real drop_transform(real q) {
+    return q * exp(-q);
+}
+
+// Cross-section of a wavemaker at distance x from its line, q = x^2 / w^2, unit height: minus the second derivative of a
+// Gaussian. Its Fourier transform is w sqrt(2 pi) (k w)^2 exp(-(k w)^2 / 2), largest at k w = sqrt(2).
+KERNEL real wavemaker_profile(real q) {
+    return (real(1) - q) * exp(real(-0.5) * q);
+}

@@ -1,0 +1,35 @@
+// What every wave model offers.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "sim/surface.hpp"
+
+namespace waterlight {
+
+/// Integrals over the domain, accumulated in double.
+struct WaveDiagnostics {
+    double volume_m3 = 0;        ///< integral of elevation
+    double energy_j = 0;         ///< potential + kinetic + capillary; NaN where the model has no dynamics
+    double variance_m2 = 0;      ///< m0: mean of elevation squared, about its mean
+    double slope_variance = 0;   ///< mean of slope_x^2 + slope_y^2
+    double max_abs_elevation_m = 0;
+};
+
+class WaveModel {
+  public:
+    virtual ~WaveModel() = default;
+
+    /// The name a scenario uses.
+    virtual std::string_view name() const = 0;
+    /// Moves the state forward by frame_s >= 0 seconds, in as many stable sub-steps as it takes.
+    virtual void advance(double frame_s) = 0;
+    /// The surface at the present time, slopes included. Valid until the next advance().
+    virtual const Surface& surface() = 0;
+    virtual WaveDiagnostics diagnostics() = 0;
+    /// Sub-steps taken since the start.
+    virtual std::int64_t steps() const = 0;
+};
+
+}  // namespace waterlight
