@@ -14,22 +14,22 @@
 #define KERNEL [[maybe_unused]] static inline
 
 // By value and without references: GCC vectorises these, and not std::min.
-#define WATERLIGHT_KERNEL_WORDS(T, VEC2, VEC3)                              \
-    using real = T;                                                         \
-    using real2 = VEC2;                                                     \
-    using real3 = VEC3;                                                     \
-    using int2 = glm::ivec2;                                                \
-    using glm::cross;                                                       \
-    using glm::dot;                                                         \
-    KERNEL real min(real a, real b) { return a < b ? a : b; }               \
-    KERNEL real max(real a, real b) { return a > b ? a : b; }               \
+#define WATERLIGHT_KERNEL_WORDS(T, VEC2, VEC3)                                  \
+    using real = T;                                                             \
+    using real2 = VEC2;                                                         \
+    using real3 = VEC3;                                                         \
+    using int2 = glm::ivec2;                                                    \
+    using glm::cross;                                                           \
+    using glm::dot;                                                             \
+    KERNEL real min(real a, real b) { return a < b ? a : b; }                   \
+    KERNEL real max(real a, real b) { return a > b ? a : b; }                   \
     KERNEL real clamp(real x, real lo, real hi) { return min(max(x, lo), hi); } \
-    KERNEL real abs(real x) { return std::abs(x); }                         \
-    KERNEL real sqrt(real x) { return std::sqrt(x); }                       \
-    KERNEL real exp(real x) { return std::exp(x); }                         \
-    KERNEL real floor(real x) { return std::floor(x); }                     \
-    KERNEL real tanh(real x) { return std::tanh(x); }                       \
-    KERNEL real sin(real x) { return std::sin(x); }                         \
+    KERNEL real abs(real x) { return std::abs(x); }                             \
+    KERNEL real sqrt(real x) { return std::sqrt(x); }                           \
+    KERNEL real exp(real x) { return std::exp(x); }                             \
+    KERNEL real floor(real x) { return std::floor(x); }                         \
+    KERNEL real tanh(real x) { return std::tanh(x); }                           \
+    KERNEL real sin(real x) { return std::sin(x); }                             \
     KERNEL real cos(real x) { return std::cos(x); }
 
 namespace waterlight::f32 {

@@ -1,0 +1,174 @@
+#include "caustics/surface_rows.hpp"
+
+#include <algorithm>
+
+#include "caustics/kernels/surface_lookup.hpp"
+
+namespace waterlight {
+
+namespace {
+
+int kernel_side(Side side) {
+    switch (side) {
+        case Side::periodic:
+            return SIDE_PERIODIC;
+        case Side::wall:
+            return SIDE_WALL;
+        case Side::absorbing:
+            return SIDE_ABSORBING;
+    }
+    return SIDE_PERIODIC;
+}
+
+f32::AxisPlace place_x(const FloorFrame& frame, const Surface& s, SplitPlace at) {
+    return f32::place_on_axis(at.whole, at.part, s.grid.nx, kernel_side(s.boundary.x), frame.half_width_x);
+}
+
+f32::AxisPlace place_y(const FloorFrame& frame, const Surface& s, SplitPlace at) {
+    return f32::place_on_axis(at.whole, at.part, s.grid.ny, kernel_side(s.boundary.y), frame.half_width_y);
+}
+
+/// Beyond a wall no light enters.
+float lit_part(const f32::AxisPlace& place, Side side) { return side == Side::wall ? place.within : 1.0F; }
+
+/// The part of a lit sample that the ledger counts.
+float counted_part(const f32::AxisPlace& place, Side side, bool by_base, int base, int size) {
+    if (by_base) return base >= 0 && base < size ? 1.0F : 0.0F;
+    return side == Side::absorbing ? place.within : 1.0F;
+}
+
+}  // namespace
+
+SurfaceRows::SurfaceRows(const FloorFrame& frame, const Surface& surface)
+    : frame_(frame),
+      surface_(surface),
+      climb_(surface.tilt * glm::dvec2{surface.grid.width_m(), surface.grid.height_m()}) {
+    if (!frame.aligned) return;
+    const Side side = surface.boundary.x;
+    const int nx = surface.grid.nx;
+    for (int i = 0; i < frame.columns.count; ++i) {
+        const f32::AxisPlace p = place_x(frame, surface, frame.column_x[i]);
+        // A blended row holds the ghost of cell -1 first; cells nx + 1 and nx + 2 behind the other ghost are still
+        // water.
+        const int low = side == Side::periodic ? p.low : std::clamp(frame.column_x[i].whole, -1, nx - 1);
+        cell_.push_back(p.water == 0 ? nx + 2 : low + 1);
+        weight_.push_back(p.weight);
+        climb_x_.push_back(p.wraps_low * climb_.x);
+        lit_x_.push_back(lit_part(p, side));
+        counted_x_.push_back(counted_part(p, side, frame.count_base_x, frame.columns.first + i, frame.map_width));
+    }
+}
+
+SurfaceRows::Scratch SurfaceRows::scratch() const {
+    const std::size_t count = static_cast<std::size_t>(surface_.grid.nx) + 4;
+    return {std::vector<float>(count), std::vector<float>(count), std::vector<float>(count)};
+}
+
+void SurfaceRows::read(int j, Scratch& scratch, SampleRow& out) const {
+    if (frame_.aligned) {
+        read_aligned(j, scratch, out);
+    } else {
+        read_turned(j, out);
+    }
+}
+
+namespace {
+
+/// row[1 + i] = water * (low[i] + weight (high[i] - low[i])) + climb, with the signs that mirrors give.
+void blend_rows(const float* __restrict low, const float* __restrict high, const f32::AxisPlace& p, bool slope_y,
+                int nx, float* __restrict row) {
+    const float a = p.water * (1 - p.weight) * (slope_y ? p.mirror_low : 1.0F);
+    const float b = p.water * p.weight * (slope_y ? p.mirror_high : 1.0F);
+#pragma GCC ivdep
+    for (int i = 0; i < nx; ++i) row[1 + i] = a * low[i] + b * high[i];
+}
+
+/// The ghosts beyond both ends of a blended row; `sign` is that of the mirror, `climb` that of one period.
+void fill_ghosts(Side side, float sign, float climb, int nx, std::vector<float>& row) {
+    if (side == Side::periodic) {
+        row[0] = row[nx] - climb;
+        row[nx + 1] = row[1] + climb;
+    } else {
+        const float mirrored = side == Side::wall ? sign : 1.0F;
+        row[0] = mirrored * row[1];
+        row[nx + 1] = mirrored * row[nx];
+    }
+    row[nx + 2] = row[nx + 3] = 0;
+}
+
+void gather(const std::vector<int>& cells, const std::vector<float>& weights, const std::vector<float>& row,
+            std::vector<float>& out) {
+    const int* __restrict cell = cells.data();
+    const float* __restrict weight = weights.data();
+    const float* __restrict from = row.data();
+    float* __restrict to = out.data();
+    const int count = static_cast<int>(cells.size());
+#pragma GCC ivdep
+    for (int i = 0; i < count; ++i) {
+        const float low = from[cell[i]], high = from[cell[i] + 1];
+        to[i] = low + weight[i] * (high - low);
+    }
+}
+
+}  // namespace
+
+void SurfaceRows::read_aligned(int j, Scratch& scratch, SampleRow& out) const {
+    const Surface& s = surface_;
+    const int nx = s.grid.nx, count = frame_.columns.count;
+    const f32::AxisPlace p = place_y(frame_, s, frame_.row_y[j]);
+    blend_rows(s.elevation.row(p.low), s.elevation.row(p.high), p, false, nx, scratch.elevation.data());
+    blend_rows(s.slope_x.row(p.low), s.slope_x.row(p.high), p, false, nx, scratch.slope_x.data());
+    blend_rows(s.slope_y.row(p.low), s.slope_y.row(p.high), p, true, nx, scratch.slope_y.data());
+    fill_ghosts(s.boundary.x, 1, climb_.x, nx, scratch.elevation);
+    fill_ghosts(s.boundary.x, -1, 0, nx, scratch.slope_x);
+    fill_ghosts(s.boundary.x, 1, 0, nx, scratch.slope_y);
+    gather(cell_, weight_, scratch.elevation, out.elevation);
+    gather(cell_, weight_, scratch.slope_x, out.slope_x);
+    gather(cell_, weight_, scratch.slope_y, out.slope_y);
+
+    const float lit_y = lit_part(p, s.boundary.y);
+    const float counted_y =
+        counted_part(p, s.boundary.y, frame_.count_base_y, frame_.rows.first + j, frame_.map_height);
+    const float climb_y = climb_.y * (p.wraps_low + p.weight * (p.wraps_high - p.wraps_low));
+    float* __restrict elevation = out.elevation.data();
+    float* __restrict lit = out.lit.data();
+    float* __restrict counted = out.counted.data();
+    const float* __restrict climb_x = climb_x_.data();
+    const float* __restrict lit_x = lit_x_.data();
+    const float* __restrict counted_x = counted_x_.data();
+#pragma GCC ivdep
+    for (int i = 0; i < count; ++i) {
+        elevation[i] += climb_x[i] + climb_y;
+        lit[i] = lit_x[i] * lit_y;
+        counted[i] = counted_x[i] * counted_y;
+    }
+}
+
+void SurfaceRows::read_turned(int j, SampleRow& out) const {
+    const Surface& s = surface_;
+    for (int i = 0; i < frame_.columns.count; ++i) {
+        const f32::AxisPlace px = place_x(frame_, s, frame_.column_x[i] + frame_.row_x[j]);
+        const f32::AxisPlace py = place_y(frame_, s, frame_.column_y[i] + frame_.row_y[j]);
+        const float water = px.water * py.water;
+        const auto between = [&](const Field<float>& f) {
+            return water * f32::bilinear(f(px.low, py.low), f(px.high, py.low), f(px.low, py.high), f(px.high, py.high),
+                                         px.weight, py.weight);
+        };
+        const auto mirrored = [&](const Field<float>& f, float x_low, float x_high, float y_low, float y_high) {
+            return water * f32::bilinear(x_low * y_low * f(px.low, py.low), x_high * y_low * f(px.high, py.low),
+                                         x_low * y_high * f(px.low, py.high), x_high * y_high * f(px.high, py.high),
+                                         px.weight, py.weight);
+        };
+        const float climb_x = climb_.x * (px.wraps_low + px.weight * (px.wraps_high - px.wraps_low));
+        const float climb_y = climb_.y * (py.wraps_low + py.weight * (py.wraps_high - py.wraps_low));
+        out.elevation[i] = between(s.elevation) + climb_x + climb_y;
+        out.slope_x[i] = mirrored(s.slope_x, px.mirror_low, px.mirror_high, 1, 1);
+        out.slope_y[i] = mirrored(s.slope_y, 1, 1, py.mirror_low, py.mirror_high);
+        out.lit[i] = lit_part(px, s.boundary.x) * lit_part(py, s.boundary.y);
+        out.counted[i] =
+            counted_part(px, s.boundary.x, frame_.count_base_x, frame_.columns.first + i, frame_.map_width) *
+            counted_part(py, s.boundary.y, frame_.count_base_y, frame_.rows.first + j, frame_.map_height);
+    }
+}
+
+}  // namespace waterlight
