@@ -5,6 +5,11 @@ KERNEL real drop_profile(real q) {
     return (real(1) - q) * exp(-q);
 }
 
+// Where a drop is: what little volume sampling leaves in it is taken out in proportion to this.
+KERNEL real drop_footprint(real q) {
+    return exp(-q);
+}
+
 // Two-dimensional Fourier transform of drop_profile, divided by pi R^2; q = k^2 R^2 / 4.
 KERNEL real drop_transform(real q) {
     return q * exp(-q);
@@ -14,4 +19,19 @@ KERNEL real drop_transform(real q) {
 // Gaussian. Its Fourier transform is w sqrt(2 pi) (k w)^2 exp(-(k w)^2 / 2), largest at k w = sqrt(2).
 KERNEL real wavemaker_profile(real q) {
     return (real(1) - q) * exp(real(-0.5) * q);
+}
+
+// That transform divided by w; q = (k w)^2.
+KERNEL real wavemaker_transform(real q) {
+    return sqrt(real(6.283185307179586)) * q * exp(real(-0.5) * q);
+}
+
+// Where a wavemaker is across its line: serves as drop_footprint does.
+KERNEL real wavemaker_footprint(real q) {
+    return exp(real(-0.5) * q);
+}
+
+// Strength along a wavemaker that runs from s = 0 to s = length: 1 inside, 0 outside, smooth over its width w.
+KERNEL real wavemaker_along(real s, real length, real w) {
+    return real(0.5) * (tanh(s / w) - tanh((s - length) / w));
 }
