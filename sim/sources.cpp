@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 
 #include "sim/error.hpp"
@@ -37,92 +38,77 @@ void check(const Wavemaker& maker) {
     require(maker.ramp_periods >= 0, "wavemaker: ramp_periods must be 0 or more");
 }
 
-// Where a drop's centre and its images lie along one axis, as far as they reach into [start, start + size].
-std::vector<double> images(double at, double start, double size, Side side, double reach) {
-    std::vector<double> found;
-    const auto add = [&](double x) {
-        if (x > start - reach && x < start + size + reach) found.push_back(x);
+// The samples of one image of a drop along one axis: its centre and the cells it reaches.
+struct Image {
+    double at = 0;
+    int from = 0;
+    int to = 0;  // one past the last
+};
+
+struct Axis {
+    double start = 0;
+    double cell = 1;
+    int count = 1;
+    Side side = Side::periodic;
+};
+
+// A drop's centre and its mirror or periodic images, as far as they reach into the domain.
+std::vector<Image> images(double at, double reach, const Axis& axis) {
+    const double size = axis.cell * axis.count;
+    std::vector<Image> found;
+    const auto bound = [&](double x) {
+        const double cell = std::ceil((x - axis.start) / axis.cell - 0.5);
+        return static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(axis.count)));
     };
-    if (side == Side::absorbing) {
+    const auto add = [&](double x) {
+        const Image image{x, bound(x - reach), bound(x + reach)};
+        if (image.from < image.to) found.push_back(image);
+    };
+    if (axis.side == Side::absorbing) {
         add(at);
         return found;
     }
     const int turns = static_cast<int>(std::ceil(reach / size)) + 1;
-    const double period = side == Side::wall ? 2 * size : size;
+    const double period = axis.side == Side::wall ? 2 * size : size;
     for (int n = -turns; n <= turns; ++n) {
         add(at + n * period);
-        if (side == Side::wall) add(2 * start - at + n * period);
+        if (axis.side == Side::wall) add(2 * axis.start - at + n * period);
     }
     return found;
 }
 
-// The first and one past the last cell whose centre lies within `reach` of `at`.
-std::pair<int, int> cells_within(double at, double reach, double start, double cell, int count) {
-    const auto bound = [&](double x) {
-        return static_cast<int>(std::clamp(std::ceil((x - start) / cell - 0.5), 0.0, static_cast<double>(count)));
-    };
-    return {bound(at - reach), bound(at + reach)};
+// The cells that any of the images reaches.
+Image hull(const std::vector<Image>& images) {
+    Image all{0, std::numeric_limits<int>::max(), 0};
+    for (const Image& image : images) {
+        all.from = std::min(all.from, image.from);
+        all.to = std::max(all.to, image.to);
+    }
+    return all;
 }
 
-// Samples of a shape without volume and of its footprint, from which the volume left by sampling is taken out.
+// Samples of a shape without volume and of its footprint.
 struct Sampled {
     Field<double> value;
     Field<double> footprint;
-    int i0 = 0;  // column and row of the grid where the samples start
-    int j0 = 0;
 };
 
-void take_out_volume(Sampled& shape) {
+// The shape without the volume that sampling left in it, which is taken out in proportion to the footprint.
+Field<double> without_volume(Sampled shape) {
     double volume = 0;
     double footprint = 0;
     for (const double v : shape.value.values()) volume += v;
     for (const double f : shape.footprint.values()) footprint += f;
-    if (footprint <= 0) return;
+    if (footprint <= 0) return std::move(shape.value);
     const double share = volume / footprint;
     const auto weights = shape.footprint.values();
     std::size_t n = 0;
     for (double& v : shape.value.values()) v -= share * weights[n++];
+    return std::move(shape.value);
 }
 
 // exp(-q) and what multiplies it are below double rounding beyond q = 40.
 constexpr double drop_reach_in_radii = 6.33;
-
-Sampled sample(const Drop& drop, const Grid& grid, Boundary boundary) {
-    const double reach = drop_reach_in_radii * drop.radius_m;
-    const auto xs = images(drop.at_m.x, grid.x0_m, grid.width_m(), boundary.x, reach);
-    const auto ys = images(drop.at_m.y, grid.y0_m, grid.height_m(), boundary.y, reach);
-    int i0 = grid.nx, i1 = 0, j0 = grid.ny, j1 = 0;
-    for (const double x : xs) {
-        const auto [from, to] = cells_within(x, reach, grid.x0_m, grid.dx_m, grid.nx);
-        i0 = std::min(i0, from);
-        i1 = std::max(i1, to);
-    }
-    for (const double y : ys) {
-        const auto [from, to] = cells_within(y, reach, grid.y0_m, grid.dy_m, grid.ny);
-        j0 = std::min(j0, from);
-        j1 = std::max(j1, to);
-    }
-    if (i1 <= i0 || j1 <= j0) return {};
-    Sampled shape{Field<double>(i1 - i0, j1 - j0), Field<double>(i1 - i0, j1 - j0), i0, j0};
-    const double per_radius2 = 1 / (drop.radius_m * drop.radius_m);
-    for (const double y : ys) {
-        const auto [from_j, to_j] = cells_within(y, reach, grid.y0_m, grid.dy_m, grid.ny);
-        for (const double x : xs) {
-            const auto [from_i, to_i] = cells_within(x, reach, grid.x0_m, grid.dx_m, grid.nx);
-            for (int j = from_j; j < to_j; ++j) {
-                for (int i = from_i; i < to_i; ++i) {
-                    const double rx = grid.x_m(i) - x;
-                    const double ry = grid.y_m(j) - y;
-                    const double q = (rx * rx + ry * ry) * per_radius2;
-                    shape.value(i - i0, j - j0) += drop.height_m * f64::drop_profile(q);
-                    shape.footprint(i - i0, j - j0) += f64::drop_footprint(q);
-                }
-            }
-        }
-    }
-    take_out_volume(shape);
-    return shape;
-}
 
 }  // namespace
 
@@ -160,15 +146,42 @@ std::vector<Drop> drops_of(const Rain& rain, const Grid& grid, double from_s, do
     return drops;
 }
 
+DropPatch drop_patch(const Drop& drop, const Grid& grid, Boundary boundary) {
+    check(drop);
+    const double reach = drop_reach_in_radii * drop.radius_m;
+    const auto xs = images(drop.at_m.x, reach, {grid.x0_m, grid.dx_m, grid.nx, boundary.x});
+    const auto ys = images(drop.at_m.y, reach, {grid.y0_m, grid.dy_m, grid.ny, boundary.y});
+    if (xs.empty() || ys.empty()) return {};
+    const Image columns = hull(xs);
+    const Image rows = hull(ys);
+    const int nx = columns.to - columns.from;
+    const int ny = rows.to - rows.from;
+    Sampled shape{Field<double>(nx, ny), Field<double>(nx, ny)};
+    const double per_radius2 = 1 / (drop.radius_m * drop.radius_m);
+    for (const Image& y : ys) {
+        for (const Image& x : xs) {
+            for (int j = y.from; j < y.to; ++j) {
+                for (int i = x.from; i < x.to; ++i) {
+                    const double rx = grid.x_m(i) - x.at;
+                    const double ry = grid.y_m(j) - y.at;
+                    const double q = (rx * rx + ry * ry) * per_radius2;
+                    shape.value(i - columns.from, j - rows.from) += drop.height_m * f64::drop_profile(q);
+                    shape.footprint(i - columns.from, j - rows.from) += f64::drop_footprint(q);
+                }
+            }
+        }
+    }
+    return {columns.from, rows.from, without_volume(std::move(shape))};
+}
+
 template <class Real>
 void add_drop(const Drop& drop, const Grid& grid, Boundary boundary, Field<Real>& elevation_m) {
-    check(drop);
     assert(elevation_m.nx() == grid.nx && elevation_m.ny() == grid.ny);
-    const Sampled shape = sample(drop, grid, boundary);
-    for (int j = 0; j < shape.value.ny(); ++j) {
-        Real* to = elevation_m.row(shape.j0 + j) + shape.i0;
-        const double* from = shape.value.row(j);
-        for (int i = 0; i < shape.value.nx(); ++i) to[i] = static_cast<Real>(to[i] + from[i]);
+    const DropPatch patch = drop_patch(drop, grid, boundary);
+    for (int j = 0; j < patch.elevation_m.ny(); ++j) {
+        Real* to = elevation_m.row(patch.j0 + j) + patch.i0;
+        const double* from = patch.elevation_m.row(j);
+        for (int i = 0; i < patch.elevation_m.nx(); ++i) to[i] = static_cast<Real>(to[i] + from[i]);
     }
 }
 
@@ -198,7 +211,7 @@ Field<double> inflow_shape(const Wavemaker& maker, const Grid& grid, double wave
     const double width = std::numbers::sqrt2 / wave_number;
     const double transform = width * f64::wavemaker_transform(2);
     const double height = 2 * group_velocity * maker.amplitude_m / transform;
-    Sampled shape{Field<double>(grid.nx, grid.ny), Field<double>(grid.nx, grid.ny), 0, 0};
+    Sampled shape{Field<double>(grid.nx, grid.ny), Field<double>(grid.nx, grid.ny)};
     for (int j = 0; j < grid.ny; ++j) {
         for (int i = 0; i < grid.nx; ++i) {
             const glm::dvec2 r = glm::dvec2(grid.x_m(i), grid.y_m(j)) - line.from_m;
@@ -208,8 +221,7 @@ Field<double> inflow_shape(const Wavemaker& maker, const Grid& grid, double wave
             shape.footprint(i, j) = strength * f64::wavemaker_footprint(across * across);
         }
     }
-    take_out_volume(shape);
-    return std::move(shape.value);
+    return without_volume(std::move(shape));
 }
 
 double inflow_signal(const Wavemaker& maker, double time_s) {

@@ -51,8 +51,18 @@ void require_valid(const Source& source);
 /// The drops of `rain` that fall on `grid` in [from_s, to_s), in order of time.
 std::vector<Drop> drops_of(const Rain& rain, const Grid& grid, double from_s, double to_s);
 
-/// Adds `drop` to the elevation (m) of `grid`: mirrored at walls, wrapped at periodic sides, cut off at absorbing ones.
-/// What sampling leaves of its volume is taken out over its own footprint, so that the sum over the cells stays.
+/// What a drop adds to the cells around it: column i, row j of `elevation_m` belongs to cell (i0 + i, j0 + j).
+struct DropPatch {
+    int i0 = 0;
+    int j0 = 0;
+    Field<double> elevation_m;
+};
+
+/// The cells of `grid` that `drop` reaches: mirrored at walls, wrapped at periodic sides, cut off at absorbing ones.
+/// What sampling leaves of its volume is taken out over its own footprint, so that the sum over the cells is zero.
+DropPatch drop_patch(const Drop& drop, const Grid& grid, Boundary boundary);
+
+/// Adds drop_patch() to the elevation (m) of `grid`.
 template <class Real>
 void add_drop(const Drop& drop, const Grid& grid, Boundary boundary, Field<Real>& elevation_m);
 
