@@ -72,7 +72,10 @@ bool covers(double origin, double length, double from, double extent) {
 
 }  // namespace
 
-FloorWindow auto_window(const f32::FloorLight& light, const Surface& surface) {
+namespace {
+
+/// Largest displacement of any cell's light in pixels, with the whole surface raised by `raise_m`.
+glm::vec2 largest_displacement(const f32::FloorLight& light, const Surface& surface, float raise_m) {
     float reach_x = 0, reach_y = 0;
     const int nx = surface.grid.nx;
 #pragma omp parallel for schedule(static) reduction(max : reach_x, reach_y)
@@ -85,7 +88,8 @@ FloorWindow auto_window(const f32::FloorLight& light, const Surface& surface) {
         float* __restrict ay = away_y.data();
 #pragma GCC ivdep
         for (int i = 0; i < nx; ++i) {
-            const f32::FloorSample s = f32::land_on_floor(light, elevation[i], f32::real2(slope_x[i], slope_y[i]));
+            const f32::FloorSample s =
+                f32::land_on_floor(light, elevation[i] + raise_m, f32::real2(slope_x[i], slope_y[i]));
             const float lit = s.incident > 0 ? 1.0F : 0.0F;
             ax[i] = lit * std::abs(s.displacement.x);
             ay[i] = lit * std::abs(s.displacement.y);
@@ -95,8 +99,23 @@ FloorWindow auto_window(const f32::FloorLight& light, const Surface& surface) {
             reach_y = std::max(reach_y, ay[i]);
         }
     }
-    const auto size = [](float reach) { return 2 * static_cast<int>(std::ceil(std::min(reach, 1e8F))) + 1; };
-    return {size(reach_x), size(reach_y)};
+    return {reach_x, reach_y};
+}
+
+}  // namespace
+
+FloorWindow auto_window(const f32::FloorLight& light, const Surface& surface) {
+    glm::vec2 reach = largest_displacement(light, surface, 0);
+    // A tilted surface goes on climbing beyond the domain, as far as the window and the sun's slant reach.
+    const float slant_m = light.depth * (std::abs(light.rest_travel.x) + std::abs(light.rest_travel.y));
+    for (int k = 0; k < 8 && surface.tilt != glm::dvec2{0, 0}; ++k) {
+        const glm::vec2 margin_m = reach / glm::vec2{glm::length(light.pixel_x), glm::length(light.pixel_y)};
+        const float climb = static_cast<float>(glm::length(surface.tilt)) * (margin_m.x + margin_m.y + slant_m);
+        reach = glm::max(reach, largest_displacement(light, surface, climb));
+        reach = glm::max(reach, largest_displacement(light, surface, -climb));
+    }
+    const auto size = [](float pixels) { return 2 * static_cast<int>(std::ceil(std::min(pixels, 1e8F))) + 1; };
+    return {size(reach.x), size(reach.y)};
 }
 
 FloorFrame prepare(const FloorSettings& settings, const Surface& surface) {

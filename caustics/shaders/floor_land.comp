@@ -1,0 +1,107 @@
+// Pass 0: lands the light of every sample of a band of lattice rows, and sums each row's ledger. One workgroup a row.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+
+#include "sim/kernels/real.glsl"
+
+#include "caustics/kernels/optics.glsl"
+#include "caustics/kernels/floor.glsl"
+#include "caustics/kernels/surface_lookup.glsl"
+#include "caustics/shaders/floor_parameters.glsl"
+
+layout(local_size_x_id = 0, local_size_y_id = 1, local_size_z_id = 2) in;
+
+layout(push_constant) uniform Push { FloorBand band; };
+layout(std430, binding = 0) readonly buffer Parameters { FloorParameters f; };
+// Of the columns: place along the domain's x, then along its y; then of the rows.
+layout(std430, binding = 1) readonly buffer Places { FloorPlace places[]; };
+layout(std430, binding = 2) readonly buffer Elevation { float elevations[]; };
+layout(std430, binding = 3) readonly buffer SlopeX { float slopes_x[]; };
+layout(std430, binding = 4) readonly buffer SlopeY { float slopes_y[]; };
+// Displacement along x of the whole band, then along y, then power.
+layout(std430, binding = 5) writeonly buffer Landed { float landed[]; };
+layout(std430, binding = 6) writeonly buffer Ledger { FloorRowLedger ledger[]; };
+
+shared FloorRowLedger partial[gl_WorkGroupSize.x];
+
+struct SurfaceSample {
+    real elevation;
+    real2 slope;
+    real lit;      // part that light reaches
+    real counted;  // part that the ledger counts
+};
+
+FloorPlace added(FloorPlace a, FloorPlace b) {
+    real part = a.part + b.part;
+    return part >= 1 ? FloorPlace(a.whole + b.whole + 1, part - 1) : FloorPlace(a.whole + b.whole, part);
+}
+
+real blend(vec4 around, AxisPlace x, AxisPlace y) {
+    return x.water * y.water * bilinear(around[0], around[1], around[2], around[3], x.weight, y.weight);
+}
+
+SurfaceSample read_surface(int i, int j) {
+    FloorPlace at_x = added(places[i], places[2 * f.column_count + j]);
+    FloorPlace at_y = added(places[f.column_count + i], places[2 * f.column_count + f.row_count + j]);
+    AxisPlace x = place_on_axis(at_x.whole, at_x.part, f.nx, f.side_x, f.half_width_x);
+    AxisPlace y = place_on_axis(at_y.whole, at_y.part, f.ny, f.side_y, f.half_width_y);
+    ivec4 cells = ivec4(x.low, x.high, x.low, x.high) + f.nx * ivec4(y.low, y.low, y.high, y.high);
+    vec4 mirror_x = vec4(x.mirror_low, x.mirror_high, x.mirror_low, x.mirror_high);
+    vec4 mirror_y = vec4(y.mirror_low, y.mirror_low, y.mirror_high, y.mirror_high);
+#define AROUND(field) vec4(field[cells[0]], field[cells[1]], field[cells[2]], field[cells[3]])
+    SurfaceSample s;
+    s.elevation = blend(AROUND(elevations), x, y) + f.climb_x * wraps_between(x) + f.climb_y * wraps_between(y);
+    s.slope = real2(blend(mirror_x * AROUND(slopes_x), x, y), blend(mirror_y * AROUND(slopes_y), x, y));
+    s.lit = lit_part(x, f.side_x) * lit_part(y, f.side_y);
+    s.counted = counted_part(x, f.side_x, f.count_base_x != 0, f.first_column + i, f.map_width) *
+                counted_part(y, f.side_y, f.count_base_y != 0, f.first_row + j, f.map_height);
+    return s;
+}
+
+FloorLight light() {
+    return FloorLight(real3(f.direction_x, f.direction_y, f.direction_z), f.irradiance, f.index, f.fresnel, f.depth,
+                      real2(f.rest_travel_x, f.rest_travel_y), real2(f.pixel_x_x, f.pixel_x_y),
+                      real2(f.pixel_y_x, f.pixel_y_y));
+}
+
+// Lands sample (i, j), stores it, and returns what it adds to the ledger.
+FloorRowLedger land(int i, int j) {
+    SurfaceSample s = read_surface(i, j);
+    FloorSample l = land_on_floor(light(), s.elevation, s.slope);
+    real incident = s.lit * l.incident;
+    real transmitted = s.lit * l.transmitted;
+    real power = f.extinction > 0 ? transmitted * beer_lambert(f.extinction, l.path) : transmitted;
+
+    int band_size = band.count * f.column_count;
+    int at = (j - band.begin) * f.column_count + i;
+    landed[at] = l.displacement.x;
+    landed[at + band_size] = l.displacement.y;
+    landed[at + 2 * band_size] = power;
+
+    AxisShare x = share_on_axis(l.displacement.x, real(f.first_column + i), real(f.half_samples), real(f.map_width));
+    AxisShare y = share_on_axis(l.displacement.y, real(f.first_row + j), real(f.half_channels), real(f.map_height));
+    real in_window = x.in_window * y.in_window;
+    real on_map = x.on_map * y.on_map;
+    return FloorRowLedger(s.counted * incident, s.counted * (incident - transmitted),
+                          s.counted * (transmitted - power), s.counted * power * (in_window - on_map),
+                          s.counted * power * (1 - in_window), (1 - s.counted) * power * on_map);
+}
+
+FloorRowLedger sum(FloorRowLedger a, FloorRowLedger b) {
+    return FloorRowLedger(a.incident + b.incident, a.reflected + b.reflected, a.extinguished + b.extinguished,
+                          a.outside + b.outside, a.lost + b.lost, a.entered + b.entered);
+}
+
+void main() {
+    int j = band.begin + int(gl_WorkGroupID.y);
+    uint me = gl_LocalInvocationID.x;
+    FloorRowLedger row = FloorRowLedger(0, 0, 0, 0, 0, 0);
+    for (int i = int(me); i < f.column_count; i += int(gl_WorkGroupSize.x)) row = sum(row, land(i, j));
+
+    partial[me] = row;
+    for (uint half_size = gl_WorkGroupSize.x / 2; half_size > 0; half_size /= 2) {
+        barrier();
+        if (me < half_size) partial[me] = sum(partial[me], partial[me + half_size]);
+    }
+    if (me == 0) ledger[j] = partial[0];
+}

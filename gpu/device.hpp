@@ -1,0 +1,65 @@
+// The choice of a device, with reasons: a pure function on plain descriptions, so that it can be tested without a GPU.
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace waterlight::gpu {
+
+enum class DeviceType { discrete, integrated, virtual_gpu, cpu, other };
+
+/// "discrete GPU", "CPU" and so on.
+std::string_view name(DeviceType type);
+
+/// A Vulkan version; to_string() gives "1.3.230".
+struct Version {
+    std::uint32_t major_number = 0;
+    std::uint32_t minor_number = 0;
+    std::uint32_t patch_number = 0;
+    auto operator<=>(const Version&) const = default;
+};
+std::string to_string(const Version& version);
+
+/// What a physical device says about itself.
+struct DeviceDescription {
+    std::string name;
+    DeviceType type = DeviceType::other;
+    std::string driver;  ///< name and version of the driver
+    Version api;
+    bool compute = false;                        ///< some queue of it runs compute passes
+    std::uint64_t largest_storage_buffer_b = 0;  ///< bytes
+    std::uint64_t memory_b = 0;                  ///< bytes of device-local memory
+};
+
+/// A device and every reason why it cannot be used; none if it can.
+struct Candidate {
+    DeviceDescription device;
+    std::vector<std::string> rejections;
+
+    bool usable() const { return rejections.empty(); }
+};
+
+struct Selection {
+    std::vector<Candidate> candidates;  ///< in the order of the loader; the index is the number a user may ask for
+    std::optional<std::size_t> chosen;  ///< index into candidates
+    std::string explanation;            ///< one line: why this one, or why none
+};
+
+/// Chooses among `devices`. `wanted` is empty (the best: discrete before integrated before virtual before CPU, then the
+/// first), an index, or a part of a name in any case. Never throws: where nothing fits, `chosen` is empty and
+/// `explanation` says why.
+Selection select_device(std::vector<DeviceDescription> devices, std::string_view wanted = {});
+
+/// True where a usable candidate is a GPU and not a program that plays one on the CPU.
+bool has_real_gpu(const Selection& selection);
+
+/// Asks the Vulkan loader for its devices and chooses. Without a loader or a driver it gives no candidates, and an
+/// explanation that names what to install.
+Selection survey(std::string_view wanted = {});
+
+}  // namespace waterlight::gpu

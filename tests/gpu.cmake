@@ -1,0 +1,8 @@
+waterlight_test(gpu_test
+    SOURCES unit/gpu_device_test.cpp unit/gpu_pass_test.cpp
+    LIBRARIES waterlight::gpu)
+waterlight_shaders(gpu_test unit/shaders/gpu_scale.comp)
+
+waterlight_test(floor_backends_test
+    SOURCES laws/floor_backends_test.cpp
+    LIBRARIES waterlight::caustics_vulkan)
