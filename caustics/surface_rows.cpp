@@ -8,33 +8,12 @@ namespace waterlight {
 
 namespace {
 
-int kernel_side(Side side) {
-    switch (side) {
-        case Side::periodic:
-            return SIDE_PERIODIC;
-        case Side::wall:
-            return SIDE_WALL;
-        case Side::absorbing:
-            return SIDE_ABSORBING;
-    }
-    return SIDE_PERIODIC;
-}
-
 f32::AxisPlace place_x(const FloorFrame& frame, const Surface& s, SplitPlace at) {
-    return f32::place_on_axis(at.whole, at.part, s.grid.nx, kernel_side(s.boundary.x), frame.half_width_x);
+    return f32::place_on_axis(at.whole, at.part, s.grid.nx, side_number(s.boundary.x), frame.half_width_x);
 }
 
 f32::AxisPlace place_y(const FloorFrame& frame, const Surface& s, SplitPlace at) {
-    return f32::place_on_axis(at.whole, at.part, s.grid.ny, kernel_side(s.boundary.y), frame.half_width_y);
-}
-
-/// Beyond a wall no light enters.
-float lit_part(const f32::AxisPlace& place, Side side) { return side == Side::wall ? place.within : 1.0F; }
-
-/// The part of a lit sample that the ledger counts.
-float counted_part(const f32::AxisPlace& place, Side side, bool by_base, int base, int size) {
-    if (by_base) return base >= 0 && base < size ? 1.0F : 0.0F;
-    return side == Side::absorbing ? place.within : 1.0F;
+    return f32::place_on_axis(at.whole, at.part, s.grid.ny, side_number(s.boundary.y), frame.half_width_y);
 }
 
 }  // namespace
@@ -54,8 +33,9 @@ SurfaceRows::SurfaceRows(const FloorFrame& frame, const Surface& surface)
         cell_.push_back(p.water == 0 ? nx + 2 : low + 1);
         weight_.push_back(p.weight);
         climb_x_.push_back(p.wraps_low * climb_.x);
-        lit_x_.push_back(lit_part(p, side));
-        counted_x_.push_back(counted_part(p, side, frame.count_base_x, frame.columns.first + i, frame.map_width));
+        lit_x_.push_back(f32::lit_part(p, side_number(side)));
+        counted_x_.push_back(
+            f32::counted_part(p, side_number(side), frame.count_base_x, frame.columns.first + i, frame.map_width));
     }
 }
 
@@ -126,10 +106,10 @@ void SurfaceRows::read_aligned(int j, Scratch& scratch, SampleRow& out) const {
     gather(cell_, weight_, scratch.slope_x, out.slope_x);
     gather(cell_, weight_, scratch.slope_y, out.slope_y);
 
-    const float lit_y = lit_part(p, s.boundary.y);
+    const float lit_y = f32::lit_part(p, side_number(s.boundary.y));
     const float counted_y =
-        counted_part(p, s.boundary.y, frame_.count_base_y, frame_.rows.first + j, frame_.map_height);
-    const float climb_y = climb_.y * (p.wraps_low + p.weight * (p.wraps_high - p.wraps_low));
+        f32::counted_part(p, side_number(s.boundary.y), frame_.count_base_y, frame_.rows.first + j, frame_.map_height);
+    const float climb_y = climb_.y * f32::wraps_between(p);
     float* __restrict elevation = out.elevation.data();
     float* __restrict lit = out.lit.data();
     float* __restrict counted = out.counted.data();
@@ -146,6 +126,7 @@ void SurfaceRows::read_aligned(int j, Scratch& scratch, SampleRow& out) const {
 
 void SurfaceRows::read_turned(int j, SampleRow& out) const {
     const Surface& s = surface_;
+    const int side_x = side_number(s.boundary.x), side_y = side_number(s.boundary.y);
     for (int i = 0; i < frame_.columns.count; ++i) {
         const f32::AxisPlace px = place_x(frame_, s, frame_.column_x[i] + frame_.row_x[j]);
         const f32::AxisPlace py = place_y(frame_, s, frame_.column_y[i] + frame_.row_y[j]);
@@ -159,15 +140,15 @@ void SurfaceRows::read_turned(int j, SampleRow& out) const {
                                          x_low * y_high * f(px.low, py.high), x_high * y_high * f(px.high, py.high),
                                          px.weight, py.weight);
         };
-        const float climb_x = climb_.x * (px.wraps_low + px.weight * (px.wraps_high - px.wraps_low));
-        const float climb_y = climb_.y * (py.wraps_low + py.weight * (py.wraps_high - py.wraps_low));
+        const float climb_x = climb_.x * f32::wraps_between(px);
+        const float climb_y = climb_.y * f32::wraps_between(py);
         out.elevation[i] = between(s.elevation) + climb_x + climb_y;
         out.slope_x[i] = mirrored(s.slope_x, px.mirror_low, px.mirror_high, 1, 1);
         out.slope_y[i] = mirrored(s.slope_y, 1, 1, py.mirror_low, py.mirror_high);
-        out.lit[i] = lit_part(px, s.boundary.x) * lit_part(py, s.boundary.y);
+        out.lit[i] = f32::lit_part(px, side_x) * f32::lit_part(py, side_y);
         out.counted[i] =
-            counted_part(px, s.boundary.x, frame_.count_base_x, frame_.columns.first + i, frame_.map_width) *
-            counted_part(py, s.boundary.y, frame_.count_base_y, frame_.rows.first + j, frame_.map_height);
+            f32::counted_part(px, side_x, frame_.count_base_x, frame_.columns.first + i, frame_.map_width) *
+            f32::counted_part(py, side_y, frame_.count_base_y, frame_.rows.first + j, frame_.map_height);
     }
 }
 

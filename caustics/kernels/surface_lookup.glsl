@@ -58,6 +58,24 @@ KERNEL AxisPlace place_on_axis(int whole, real part, int n, int side, real half_
     return p;
 }
 
+// Periods between the place and its cells, between the two as the field is.
+KERNEL real wraps_between(AxisPlace p) {
+    return p.wraps_low + p.weight * (p.wraps_high - p.wraps_low);
+}
+
+// The part of a sample that light reaches: beyond a wall none enters.
+KERNEL real lit_part(AxisPlace p, int side) {
+    return side == SIDE_WALL ? p.within : real(1);
+}
+
+// The part of a lit sample that the ledger counts: all of it where its base pixel is one of the map's `size` (if counted
+// by that), else what lies in the domain.
+KERNEL real counted_part(AxisPlace p, int side, bool by_base, int base, int size) {
+    real on_map = base >= 0 && base < size ? real(1) : real(0);
+    real inside = side == SIDE_ABSORBING ? p.within : real(1);
+    return by_base ? on_map : inside;
+}
+
 // Value between four cells; the first word names the x side, the second the y side.
 KERNEL real bilinear(real low_low, real high_low, real low_high, real high_high, real weight_x, real weight_y) {
     real low = low_low + weight_y * (low_high - low_low);

@@ -1,0 +1,195 @@
+// The floor map on a Vulkan device: the passes of Yuksel & Keyser (2009) as compute shaders. The M + 1 channels of
+// pass 1 lie in a storage buffer instead of render targets, so M is free; the lattice is handled in bands of rows, so
+// that their memory is bounded.
+#include "caustics/floor_vulkan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
+#include "caustics/floor_frame.hpp"
+#include "caustics/kernels/surface_lookup.hpp"
+#include "gpu/buffer.hpp"
+#include "gpu/commands.hpp"
+#include "gpu/pass.hpp"
+#include "shaders/floor_gather.hpp"
+#include "shaders/floor_land.hpp"
+#include "shaders/floor_sum.hpp"
+#include "sim/error.hpp"
+
+namespace waterlight {
+
+namespace {
+
+#include "caustics/shaders/floor_parameters.glsl"
+
+using gpu::BufferUse;
+
+constexpr std::int64_t band_bytes = std::int64_t{1} << 27;  // of channels, and of landed samples
+constexpr std::array<std::uint32_t, 3> row_workgroup{128, 1, 1};
+constexpr std::array<std::uint32_t, 3> tile_workgroup{32, 8, 1};
+
+FloorParameters parameters(const FloorFrame& frame, const Surface& surface) {
+    const f32::FloorLight& light = frame.light;
+    return {.direction_x = light.direction.x,
+            .direction_y = light.direction.y,
+            .direction_z = light.direction.z,
+            .irradiance = light.irradiance,
+            .index = light.index,
+            .fresnel = light.fresnel,
+            .depth = light.depth,
+            .extinction = frame.extinction_per_m,
+            .rest_travel_x = light.rest_travel.x,
+            .rest_travel_y = light.rest_travel.y,
+            .pixel_x_x = light.pixel_x.x,
+            .pixel_x_y = light.pixel_x.y,
+            .pixel_y_x = light.pixel_y.x,
+            .pixel_y_y = light.pixel_y.y,
+            .nx = surface.grid.nx,
+            .ny = surface.grid.ny,
+            .side_x = side_number(surface.boundary.x),
+            .side_y = side_number(surface.boundary.y),
+            .climb_x = static_cast<float>(surface.tilt.x * surface.grid.width_m()),
+            .climb_y = static_cast<float>(surface.tilt.y * surface.grid.height_m()),
+            .half_width_x = frame.half_width_x,
+            .half_width_y = frame.half_width_y,
+            .first_column = frame.columns.first,
+            .column_count = frame.columns.count,
+            .first_row = frame.rows.first,
+            .row_count = frame.rows.count,
+            .half_samples = frame.half_samples(),
+            .half_channels = frame.half_channels(),
+            .map_width = frame.map_width,
+            .map_height = frame.map_height,
+            .count_base_x = frame.count_base_x ? 1 : 0,
+            .count_base_y = frame.count_base_y ? 1 : 0};
+}
+
+/// How many lattice rows the passes handle at a time.
+int band_rows(const FloorFrame& frame) {
+    const std::int64_t channels = std::int64_t{frame.map_width} * frame.window.channels;
+    const std::int64_t landed = std::int64_t{frame.columns.count} * 3;
+    const auto row_bytes = static_cast<std::int64_t>(sizeof(float)) * std::max(channels, landed);
+    if (row_bytes > band_bytes)
+        throw InputError(
+            fmt::format("floor map: one row of {} pixels with a window of {} x {} takes {} bytes; allowed on the "
+                        "vulkan back-end: {}. Give a smaller window or fewer, larger pixels",
+                        frame.map_width, frame.window.samples, frame.window.channels, row_bytes, band_bytes));
+    return static_cast<int>(std::min<std::int64_t>(frame.rows.count, band_bytes / row_bytes));
+}
+
+class FloorVulkan final : public FloorMapper {
+  public:
+    FloorVulkan(const FloorSettings& settings, std::shared_ptr<gpu::Context> context)
+        : settings_(settings), context_(std::move(context)), commands_(context_) {
+        validate(settings);
+        constexpr std::uint32_t push = sizeof(FloorBand);
+        land_.emplace(context_, gpu::PassSettings{"floor: land", shaders::floor_land, 7, push, row_workgroup});
+        gather_.emplace(context_, gpu::PassSettings{"floor: gather", shaders::floor_gather, 3, push, tile_workgroup});
+        sum_.emplace(context_, gpu::PassSettings{"floor: sum", shaders::floor_sum, 3, push, tile_workgroup});
+    }
+
+    std::string_view backend() const override { return "vulkan"; }
+
+    void compute(const Surface& surface, FloorMap& map) override {
+        const FloorFrame frame = prepare(settings_, surface);
+        const int rows = band_rows(frame);
+        allocate(frame, surface, rows);
+        write(frame, surface);
+        record(frame, rows);
+        commands_.run();
+        read(frame, map);
+    }
+
+  private:
+    using Storage = std::optional<gpu::Buffer>;
+
+    /// Gives `buffer` room for `count` values of T, at least one.
+    template <class T>
+    void reserve(Storage& buffer, std::int64_t count, BufferUse use) {
+        const std::size_t bytes = sizeof(T) * static_cast<std::size_t>(std::max<std::int64_t>(count, 1));
+        if (!buffer || buffer->bytes() < bytes) buffer.emplace(context_, bytes, use);
+    }
+
+    void allocate(const FloorFrame& frame, const Surface& surface, int rows) {
+        const std::int64_t columns = frame.columns.count, width = frame.map_width;
+        const auto cells = static_cast<std::int64_t>(surface.grid.cells());
+        reserve<FloorParameters>(parameters_, 1, BufferUse::from_host);
+        reserve<FloorPlace>(places_, 2 * (columns + frame.rows.count), BufferUse::from_host);
+        reserve<float>(elevation_, cells, BufferUse::from_host);
+        reserve<float>(slope_x_, cells, BufferUse::from_host);
+        reserve<float>(slope_y_, cells, BufferUse::from_host);
+        reserve<float>(landed_, 3 * columns * rows, BufferUse::device);
+        reserve<FloorRowLedger>(ledger_, frame.rows.count, BufferUse::to_host);
+        reserve<float>(channels_, width * rows * frame.window.channels, BufferUse::device);
+        reserve<float>(map_, width * frame.map_height, BufferUse::to_host);
+        land_->bind({&*parameters_, &*places_, &*elevation_, &*slope_x_, &*slope_y_, &*landed_, &*ledger_});
+        gather_->bind({&*parameters_, &*landed_, &*channels_});
+        sum_->bind({&*parameters_, &*channels_, &*map_});
+    }
+
+    void write(const FloorFrame& frame, const Surface& surface) {
+        parameters_->host<FloorParameters>()[0] = parameters(frame, surface);
+        FloorPlace* place = places_->host<FloorPlace>().data();
+        for (const auto* places : {&frame.column_x, &frame.column_y, &frame.row_x, &frame.row_y})
+            for (const SplitPlace& from : *places) *place++ = {from.whole, from.part};
+        std::ranges::copy(surface.elevation.values(), elevation_->host<float>().begin());
+        std::ranges::copy(surface.slope_x.values(), slope_x_->host<float>().begin());
+        std::ranges::copy(surface.slope_y.values(), slope_y_->host<float>().begin());
+    }
+
+    void record(const FloorFrame& frame, int rows) {
+        for (const Storage* from_host : {&parameters_, &places_, &elevation_, &slope_x_, &slope_y_})
+            commands_.upload(**from_host);
+        commands_.clear(*map_);
+        for (int begin = 0; begin < frame.rows.count; begin += rows) {
+            const FloorBand band{begin, std::min(rows, frame.rows.count - begin)};
+            const auto width = static_cast<std::uint32_t>(frame.map_width);
+            const auto count = static_cast<std::uint32_t>(band.count);
+            const auto reached = static_cast<std::uint32_t>(band.count + frame.window.channels - 1);
+            commands_.dispatch(*land_, {row_workgroup[0], count, 1}, band);
+            commands_.dispatch(*gather_, {width, count, 1}, band);
+            commands_.dispatch(*sum_, {width, reached, 1}, band);
+        }
+        commands_.download(*map_);
+        commands_.download(*ledger_);
+    }
+
+    void read(const FloorFrame& frame, FloorMap& map) const {
+        if (map.irradiance.nx() != frame.map_width || map.irradiance.ny() != frame.map_height)
+            map.irradiance = Field<float>(frame.map_width, frame.map_height);
+        map.window = frame.window;
+        map.ledger = {};
+        const double area = frame.pixel_area_m2;
+        const std::span<const FloorRowLedger> rows = ledger_->host<FloorRowLedger>();
+        for (int j = 0; j < frame.rows.count; ++j) {
+            map.ledger.incident_w += area * rows[j].incident;
+            map.ledger.reflected_w += area * rows[j].reflected;
+            map.ledger.extinguished_w += area * rows[j].extinguished;
+            map.ledger.outside_w += area * rows[j].outside;
+            map.ledger.lost_w += area * rows[j].lost;
+            map.ledger.entered_w += area * rows[j].entered;
+        }
+        double sum = 0;
+        const std::span<const float> pixels = map_->host<float>().first(map.irradiance.size());
+        std::ranges::copy(pixels, map.irradiance.data());
+        for (const float irradiance : pixels) sum += irradiance;
+        map.ledger.floor_w = area * sum;
+    }
+
+    FloorSettings settings_;
+    std::shared_ptr<gpu::Context> context_;
+    std::optional<gpu::Pass> land_, gather_, sum_;
+    Storage parameters_, places_, elevation_, slope_x_, slope_y_, landed_, ledger_, channels_, map_;
+    gpu::Commands commands_;
+};
+
+}  // namespace
+
+std::unique_ptr<FloorMapper> make_floor_vulkan(const FloorSettings& settings, std::shared_ptr<gpu::Context> context) {
+    return std::make_unique<FloorVulkan>(settings, std::move(context));
+}
+
+}  // namespace waterlight

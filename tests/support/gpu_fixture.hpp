@@ -1,0 +1,35 @@
+// Tests that need a Vulkan device.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gpu/context.hpp"
+
+namespace waterlight {
+
+/// Opens the best device with the validation layer, and fails the test if the layer has said anything by its end.
+/// Skips only where there is no Vulkan device at all.
+class GpuTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        const gpu::Selection selection = gpu::survey();
+        if (selection.candidates.empty()) GTEST_SKIP() << selection.explanation;
+        open({.validation = true});
+    }
+
+    void open(const gpu::ContextSettings& settings) { context = std::make_shared<gpu::Context>(settings); }
+
+    void TearDown() override {
+        if (!context || !expect_silence) return;
+        EXPECT_EQ(context->validation_messages(), std::vector<std::string>{});
+    }
+
+    std::shared_ptr<gpu::Context> context;
+    bool expect_silence = true;
+};
+
+}  // namespace waterlight
