@@ -1,0 +1,177 @@
+// Which settings go together.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "scenarios/build.hpp"
+#include "scenarios/nearest.hpp"
+#include "scenarios/quantities.hpp"
+#include "scenarios/reader.hpp"
+
+namespace waterlight {
+
+namespace {
+
+constexpr std::string_view model_names[] = {"auto", "linear", "airy", "prescribed"};
+
+std::string_view name_of(ModelChoice model) { return model_names[static_cast<int>(model)]; }
+
+bool repeats(const Boundary& b) { return b.x == Side::periodic && b.y == Side::periodic; }
+bool absorbs(const Boundary& b) { return b.x == Side::absorbing || b.y == Side::absorbing; }
+
+void require_model(const Scenario& s, bool stated, std::string_view key, const std::vector<ModelChoice>& models) {
+    const ModelChoice model = resolve_model(s).model;
+    if (!stated || std::find(models.begin(), models.end(), model) != models.end()) return;
+    std::string names;
+    for (const ModelChoice m : models) names += (names.empty() ? "" : " or ") + std::string(name_of(m));
+    s.origin.reject(key, fmt::format("it beside waves.model = \"{}\"", name_of(model)), "model " + names);
+}
+
+void check_models(const Scenario& s) {
+    using enum ModelChoice;
+    const WavesSection& w = s.waves;
+    require_model(s, w.cfl.has_value(), "waves.cfl", {linear});
+    require_model(s, w.slope.has_value(), "waves.slope", {prescribed});
+    require_model(s, w.file.has_value(), "waves.file", {prescribed});
+    require_model(s, w.gerstner.has_value(), "waves.gerstner", {prescribed});
+    require_model(s, w.spectrum.has_value(), "waves.spectrum", {airy});
+    require_model(s, w.buoy.has_value(), "waves.buoy", {airy});
+    require_model(s, w.margin_m.has_value(), "waves.margin_m", {linear, airy});
+    require_model(s, !w.standing.empty(), "waves.standing", {linear, airy});
+    require_model(s, !w.sources.empty(), "waves.source", {linear, airy});
+    for (std::size_t i = 0; i < w.sines.size(); ++i)
+        require_model(s, w.sines[i].frozen, fmt::format("waves.sine[{}].frozen", i), {prescribed});
+}
+
+void check_initial_state(const Scenario& s) {
+    const WavesSection& w = s.waves;
+    const Boundary boundary = resolve_boundary(s);
+    if (w.spectrum && w.buoy) s.origin.reject("waves.buoy", "it beside waves.spectrum", "one of both");
+    if ((w.spectrum || w.buoy) && !repeats(boundary))
+        s.origin.reject("waves.boundary",
+                        std::string("a side that does not repeat beside waves.") + (w.buoy ? "buoy" : "spectrum"),
+                        "periodic sides");
+    if (w.margin_m && !absorbs(boundary))
+        s.origin.reject("waves.margin_m", "it without an absorbing side", "waves.boundary with an absorbing side");
+    const bool has_formula = !w.sines.empty() || w.slope || w.gerstner;
+    if (w.file && has_formula)
+        s.origin.reject("waves.file", "it beside slope, sine or gerstner", "either a file or formulas");
+    if (w.gerstner && w.gerstner->wavelength_m.x > w.gerstner->wavelength_m.y)
+        s.origin.reject("waves.gerstner.wavelength_m", "the longest first", "[shortest, longest]");
+    const auto odd = [](int half_waves) { return half_waves % 2 != 0; };
+    for (std::size_t i = 0; i < w.standing.size(); ++i) {
+        const StandingWave& wave = w.standing[i];
+        const std::string key = fmt::format("waves.standing[{}].half_waves_", i);
+        if (boundary.x == Side::periodic && odd(wave.half_waves_x))
+            s.origin.reject(key + "x", fmt::format("{}", wave.half_waves_x), "an even number between periodic sides");
+        if (boundary.y == Side::periodic && odd(wave.half_waves_y))
+            s.origin.reject(key + "y", fmt::format("{}", wave.half_waves_y), "an even number between periodic sides");
+    }
+}
+
+void require_inside(const Scenario& s, const std::string& key, glm::dvec2 at) {
+    const glm::dvec2 size = s.domain.size_m;
+    if (at.x >= 0 && at.x <= size.x && at.y >= 0 && at.y <= size.y) return;
+    s.origin.reject(key, fmt::format("[{}, {}]", at.x, at.y),
+                    fmt::format("a place in the domain [0, {}] x [0, {}] m", size.x, size.y));
+}
+
+struct SourceCheck {
+    const Scenario& s;
+    std::string key;
+
+    void operator()(const Drop& drop) const { require_inside(s, key + ".at_m", drop.at_m); }
+    void operator()(const Rain& rain) const {
+        if (rain.radius_m.x > rain.radius_m.y)
+            s.origin.reject(key + ".radius_m", "the greatest first", "[least, greatest]");
+        if (rain.height_m.x > rain.height_m.y)
+            s.origin.reject(key + ".height_m", "the greatest first", "[least, greatest]");
+        if (rain.end_s <= rain.start_s)
+            s.origin.reject(key + ".end_s", fmt::format("{}", rain.end_s), fmt::format("> start_s = {}", rain.start_s));
+        constexpr double most = 1e7;
+        const double seconds = std::max(0.0, std::min(rain.end_s, s.waves.duration_s) - rain.start_s);
+        const double drops = rain.drops_per_m2_s * s.domain.size_m.x * s.domain.size_m.y * seconds;
+        if (drops > most)
+            s.origin.reject(key + ".drops_per_m2_s", fmt::format("{:.3g} drops over the run", drops), "at most 1e7");
+    }
+    void operator()(const Wavemaker& maker) const {
+        require_inside(s, key + ".from_m", maker.from_m);
+        require_inside(s, key + ".to_m", maker.to_m);
+        if (maker.from_m == maker.to_m) s.origin.reject(key + ".to_m", "the place of from_m", "another place");
+    }
+};
+
+void check_output(const Scenario& s) {
+    constexpr double most_frames = 1e6;
+    const double frames = s.waves.duration_s / s.output.every_s;
+    if (frames > most_frames)
+        s.origin.reject("output.every_s", fmt::format("{}, which makes {:.3g} frames", s.output.every_s, frames),
+                        fmt::format("at most {:.0f} frames", most_frames));
+}
+
+void check_floor(const Scenario& s) {
+    if (!s.floor) return;
+    const FloorSection& floor = *s.floor;
+    const bool truth = floor.method == FloorMethod::truth;
+    if (truth && floor.window)
+        s.origin.reject("caustics.floor.window", "it beside method = \"truth\"", "method two-pass");
+    for (const std::string key : {"caustics.floor.tolerance", "caustics.floor.most_subsamples"})
+        if (!truth && s.origin.places.contains(key))
+            s.origin.reject(key, "it beside method = \"two-pass\"", "method truth");
+    if (!floor.window) return;
+    for (const auto& [name, size] : {std::pair{"samples", floor.window->samples}, {"channels", floor.window->channels}})
+        if (size % 2 == 0)
+            s.origin.reject(std::string("caustics.floor.window.") + name, fmt::format("{}", size),
+                            "an odd integer >= 1");
+}
+
+void check_probes(const Scenario& s) {
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < s.probes.size(); ++i) {
+        const std::string& name = s.probes[i].name;
+        const std::string key = fmt::format("probe[{}].", i);
+        const auto plain = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-'; };
+        if (name.empty() || !std::all_of(name.begin(), name.end(), plain))
+            s.origin.reject(key + "name", fmt::format("\"{}\"", name), "letters, digits, _ and -");
+        if (!names.insert(name).second)
+            s.origin.reject(key + "name", fmt::format("\"{}\" twice", name), "one probe a name");
+        require_inside(s, key + "at_m", s.probes[i].at_m);
+    }
+}
+
+void check_checks(const Scenario& s) {
+    const std::vector<std::string> known = quantity_names(s);
+    for (std::size_t i = 0; i < s.checks.size(); ++i) {
+        const Check& check = s.checks[i];
+        const std::string key = fmt::format("check[{}]", i);
+        if (std::find(known.begin(), known.end(), check.quantity) == known.end())
+            reject(s.origin.place(key + ".quantity"), key + ".quantity", fmt::format("\"{}\"", check.quantity),
+                   "a number of the report or probe.NAME.elevation (`waterlight schema` lists them)",
+                   nearest_word(check.quantity, known));
+        const bool of_floor = check.quantity.starts_with("floor.") || check.quantity.ends_with("irradiance");
+        if (of_floor && !s.floor)
+            s.origin.reject(key + ".quantity", fmt::format("\"{}\" without [caustics.floor]", check.quantity),
+                            "[caustics.floor] in the scenario");
+        if (!check.equals && !check.below && !check.above)
+            s.origin.reject(key, "no expectation", "equals with a tolerance, below, or above");
+        if (check.equals && check.tolerance == 0 && check.relative_tolerance == 0)
+            s.origin.reject(key + ".equals", "it without a tolerance", "tolerance or relative_tolerance > 0");
+    }
+}
+
+}  // namespace
+
+void check_combinations(const Scenario& s) {
+    check_models(s);
+    check_initial_state(s);
+    for (std::size_t i = 0; i < s.waves.sources.size(); ++i)
+        std::visit(SourceCheck{s, fmt::format("waves.source[{}]", i)}, s.waves.sources[i]);
+    check_output(s);
+    check_floor(s);
+    check_probes(s);
+    check_checks(s);
+}
+
+}  // namespace waterlight

@@ -1,0 +1,44 @@
+// Data files that a scenario names.
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include "scenarios/reader.hpp"
+
+namespace waterlight {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool readable(const fs::path& path) {
+    std::error_code ignored;
+    return fs::is_regular_file(path, ignored);
+}
+
+/// `suffix` is what the file's name has beyond the path.
+fs::path locate(const Scenario& scenario, std::string_view key, const fs::path& relative, const std::string& suffix) {
+    const auto with_suffix = [&](const fs::path& stem) { return fs::path(stem.string() + suffix); };
+    const fs::path beside = scenario.origin.file.parent_path() / relative;
+    if (readable(with_suffix(beside))) return beside;
+    const char* data = std::getenv("WATERLIGHT_DATA");
+    if (data && readable(with_suffix(fs::path(data) / relative))) return fs::path(data) / relative;
+    const std::string below =
+        data ? fmt::format("\"{}\"", with_suffix(fs::path(data) / relative).string())
+             : fmt::format("\"{}\" below $WATERLIGHT_DATA, which is not set", relative.string() + suffix);
+    scenario.origin.reject(key, fmt::format("no file \"{}\" nor {}", with_suffix(beside).string(), below),
+                           "a path that exists beside the scenario or below $WATERLIGHT_DATA");
+}
+
+}  // namespace
+
+void find_data(Scenario& scenario) {
+    WavesSection& waves = scenario.waves;
+    if (waves.file) waves.file = locate(scenario, "waves.file", *waves.file, "").string();
+    if (!waves.buoy) return;
+    const fs::path stem = waves.buoy->stem;
+    for (const char* suffix : {".data_spec", ".swdir", ".swdir2", ".swr1", ".swr2"})
+        waves.buoy->stem = locate(scenario, "waves.buoy.stem", stem, suffix);
+}
+
+}  // namespace waterlight

@@ -1,0 +1,78 @@
+#include "scenarios/memory.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+
+#include "scenarios/build.hpp"
+
+namespace waterlight {
+
+namespace {
+
+// Bytes a cell: floats of the state and its spectrum, of the surface with its slopes, and three copies of the surface
+// that wait to be written.
+constexpr double linear_cell = 80;
+constexpr double airy_cell = 128;
+constexpr double prescribed_cell = 64;
+// Bytes a pixel: landed samples (4 floats), 32 channels, the map, and three copies that wait to be written, one
+// coloured.
+constexpr double two_pass_pixel = 180;
+// In double precision, with the refined samples of the last two levels.
+constexpr double truth_pixel = 400;
+
+double bytes_per_cell(ModelChoice model) {
+    if (model == ModelChoice::linear) return linear_cell;
+    return model == ModelChoice::prescribed ? prescribed_cell : airy_cell;
+}
+
+std::string in_gib(double bytes) { return fmt::format("{:.3g} GiB", bytes / (1 << 30)); }
+
+double number_in_file(const char* path, const std::string& label) {
+    std::ifstream file(path);
+    std::string word;
+    double value = 0;
+    if (label.empty()) return file >> value ? value : 0;
+    while (file >> word)
+        if (word == label && file >> value) return value;
+    return 0;
+}
+
+}  // namespace
+
+MemoryEstimate estimate_memory(const Scenario& scenario) {
+    const Boundary boundary = resolve_boundary(scenario);
+    const double margins = (boundary.x == Side::absorbing ? 2.0 : 1.0) * (boundary.y == Side::absorbing ? 2.0 : 1.0);
+    const glm::ivec2 n = scenario.domain.cells;
+    MemoryEstimate estimate;
+    estimate.cells = margins * n.x * static_cast<double>(n.y) * bytes_per_cell(resolve_model(scenario).model);
+    if (!scenario.floor) return estimate;
+    const glm::ivec2 pixels = scenario.floor->pixels;
+    const double per_pixel = scenario.floor->method == FloorMethod::truth ? truth_pixel : two_pass_pixel;
+    estimate.pixels = pixels.x * static_cast<double>(pixels.y) * per_pixel;
+    return estimate;
+}
+
+double machine_memory() {
+    constexpr double kib = 1024;
+    const double available = number_in_file("/proc/meminfo", "MemAvailable:") * kib;
+    const double limit = number_in_file("/sys/fs/cgroup/memory.max", "");
+    return limit > 0 ? std::min(available, limit) : available;
+}
+
+void check_memory(const Scenario& scenario, double available) {
+    const MemoryEstimate estimate = estimate_memory(scenario);
+    if (estimate.total() <= available) return;
+    const bool cells_dominate = estimate.cells >= estimate.pixels;
+    const glm::ivec2 n = cells_dominate ? scenario.domain.cells : scenario.floor->pixels;
+    scenario.origin.reject(
+        cells_dominate ? "domain.cells" : "caustics.floor.pixels",
+        fmt::format("[{}, {}], which takes some {}", n.x, n.y, in_gib(estimate.total())),
+        fmt::format("what fits the {} of memory that this machine has free ({:.0f} bytes a {})", in_gib(available),
+                    (cells_dominate ? estimate.cells : estimate.pixels) / (static_cast<double>(n.x) * n.y),
+                    cells_dominate ? "cell" : "pixel"));
+}
+
+}  // namespace waterlight

@@ -1,0 +1,27 @@
+// Whether a run fits the machine, before anything is allocated.
+#pragma once
+
+#include <cstdint>
+
+#include "scenarios/scenario.hpp"
+
+namespace waterlight {
+
+/// Bytes that a run takes at its peak, by count of cells and pixels.
+struct MemoryEstimate {
+    double cells = 0;   ///< for the wave model, its surface and the frames that wait to be written
+    double pixels = 0;  ///< for the map and the frames that wait
+    double total() const { return cells + pixels; }
+};
+
+/// Cells (times 2 for each pair of absorbing sides: the hidden margin) x bytes a cell of the model, plus pixels x bytes
+/// a pixel of the method. An upper estimate.
+MemoryEstimate estimate_memory(const Scenario& scenario);
+
+/// What this machine can give, in bytes: available memory, or the limit of the control group where that is less.
+double machine_memory();
+
+/// Throws InputError where the estimate exceeds `available` bytes.
+void check_memory(const Scenario& scenario, double available);
+
+}  // namespace waterlight

@@ -1,0 +1,56 @@
+#include "scenarios/quantities.hpp"
+
+#include <array>
+
+#include "scenarios/scenario.hpp"
+
+namespace waterlight {
+
+namespace {
+
+constexpr std::array of_run{
+    Quantity{"simulated_s", "s", "time that the run covers"},
+    Quantity{"waves.steps", "", "sub-steps that the wave model took"},
+    Quantity{"waves.significant_height", "m", "four times the root of the variance of the elevation"},
+    Quantity{"waves.max_elevation", "m", "largest elevation or depression"},
+    Quantity{"waves.slope_variance", "", "mean square slope"},
+    Quantity{"waves.mass_drift", "m", "largest change of the mean level over the run"},
+    Quantity{"waves.energy_drift", "",
+             "largest relative change of the energy once all drops have fallen; closed water without a wavemaker only"},
+    Quantity{"sea.significant_height", "m", "of that part of the spectrum which the grid carries"},
+    Quantity{"sea.longer_fraction", "", "part of the spectrum's variance in waves longer than the domain"},
+    Quantity{"sea.shorter_fraction", "", "part of the spectrum's variance in waves shorter than two cells"},
+    Quantity{"sea.height_error", "",
+             "relative difference of the initial surface's significant height from the carried"},
+    Quantity{"floor.mean_irradiance", "W/m2", "mean over the map"},
+    Quantity{"floor.min_irradiance", "W/m2", "darkest pixel"},
+    Quantity{"floor.max_irradiance", "W/m2", "brightest pixel"},
+    Quantity{"floor.cv", "", "coefficient of variation over the map: standard deviation / mean"},
+    Quantity{"floor.lost_fraction", "", "largest part of the light over the run that landed beyond the window"},
+    Quantity{"floor.ledger_closure", "", "largest part of the light over the run that is unaccounted for"},
+    Quantity{"floor.truth_error", "", "the truth's own estimate of its relative error"},
+};
+
+constexpr std::array of_probe{
+    Quantity{"elevation", "m", "at the end"},
+    Quantity{"min_elevation", "m", "least over the frames"},
+    Quantity{"max_elevation", "m", "greatest over the frames"},
+    Quantity{"irradiance", "W/m2", "on the floor below, at the end"},
+    Quantity{"max_irradiance", "W/m2", "on the floor below, greatest over the frames"},
+};
+
+}  // namespace
+
+std::span<const Quantity> run_quantities() { return of_run; }
+std::span<const Quantity> probe_quantities() { return of_probe; }
+
+std::vector<std::string> quantity_names(const Scenario& scenario) {
+    std::vector<std::string> names;
+    for (const Quantity& quantity : of_run) names.emplace_back(quantity.name);
+    for (const Probe& probe : scenario.probes)
+        for (const Quantity& quantity : of_probe)
+            names.push_back("probe." + probe.name + "." + std::string(quantity.name));
+    return names;
+}
+
+}  // namespace waterlight

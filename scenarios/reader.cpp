@@ -1,0 +1,79 @@
+#include "scenarios/reader.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "scenarios/document.hpp"
+#include "scenarios/memory.hpp"
+#include "scenarios/table_reader.hpp"
+
+namespace waterlight {
+
+namespace {
+
+std::string read_text(const std::filesystem::path& file) {
+    std::error_code ignored;
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream || std::filesystem::is_directory(file, ignored))
+        reject(file.string(), "scenario", "no file that can be read", "the path of a scenario (.toml)");
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+/// What stands before "=" in a line, or the line itself: the nearest to a key that malformed TOML has.
+std::string key_of_line(std::string_view text, std::size_t line) {
+    for (std::size_t i = 1; i < line && !text.empty(); ++i) {
+        const std::size_t end = text.find('\n');
+        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    }
+    std::string key(text.substr(0, std::min(text.find_first_of("=\n"), text.size())));
+    key.erase(0, key.find_first_not_of(" \t\r"));
+    key.erase(key.find_last_not_of(" \t\r") + 1);
+    return key.empty() || key.size() > 60 ? "TOML" : key;
+}
+
+toml::table parse_toml(std::string_view text, const std::filesystem::path& file) {
+    try {
+        return toml::parse(text);
+    } catch (const toml::parse_error& error) {
+        const toml::source_position at = error.source().begin;
+        reject(fmt::format("{}:{}:{}", file.string(), at.line, at.column), key_of_line(text, at.line),
+               fmt::format("malformed TOML ({})", error.description()), "TOML 1.0");
+    }
+}
+
+}  // namespace
+
+Scenario parse_scenario(std::string_view text, const std::filesystem::path& file,
+                        const std::vector<std::string>& overrides) {
+    Scenario scenario;
+    scenario.origin.file = file;
+    scenario.origin.text = text;
+    scenario.origin.overrides = overrides;
+    toml::table root = parse_toml(text, file);
+    std::vector<Override> parsed;
+    for (const std::string& override : overrides) {
+        parsed.push_back(parse_override(override));
+        apply_override(root, parsed.back());
+    }
+    const std::vector<std::string> known = known_keys();
+    ReadContext context{scenario.origin, parsed, known};
+    TableReader reader(context, &root, "");
+    describe(reader, scenario);
+    reader.finish();
+    scenario.water.depth_m = scenario.domain.depth_m;
+    return scenario;
+}
+
+Scenario read_scenario(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+    Scenario scenario = parse_scenario(read_text(file), file, overrides);
+    check_combinations(scenario);
+    check_memory(scenario, machine_memory());
+    find_data(scenario);
+    return scenario;
+}
+
+}  // namespace waterlight

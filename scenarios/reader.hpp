@@ -1,0 +1,30 @@
+// Reads a scenario.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scenarios/scenario.hpp"
+
+namespace waterlight {
+
+/// The scenario in `file` with the overrides ("key=value") laid over it, checked: every key and value, the combination
+/// of all, the data files it names (their paths then hold where they were found), and that it fits this machine's
+/// memory. Throws InputError with one line: FILE:LINE:COL (or --set KEY=VALUE): KEY: found X; allowed: Y.
+Scenario read_scenario(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+/// As read_scenario() from a text; `file` names it in errors. Keys and values only: no combinations, files or memory.
+Scenario parse_scenario(std::string_view text, const std::filesystem::path& file,
+                        const std::vector<std::string>& overrides = {});
+
+/// Throws InputError where keys that are right by themselves do not go together.
+void check_combinations(const Scenario& scenario);
+
+/// Replaces the paths of data files by where they are: beside the scenario, else below $WATERLIGHT_DATA. Throws
+/// InputError naming both where there is none.
+void find_data(Scenario& scenario);
+
+}  // namespace waterlight

@@ -1,0 +1,111 @@
+// A scenario: everything that a run is made of, as plain data. scenarios/schema.cpp says what each setting is called in
+// a file, its unit and its range; the member initialisers here and in sim/ and caustics/ are the defaults.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "caustics/floor.hpp"
+#include "caustics/light.hpp"
+#include "export/vti.hpp"
+#include "scenarios/origin.hpp"
+#include "sim/boundary.hpp"
+#include "sim/prescribed.hpp"
+#include "sim/sines.hpp"
+#include "sim/sources.hpp"
+#include "sim/spectrum.hpp"
+#include "sim/water.hpp"
+
+namespace waterlight {
+
+/// The rungs of the ladder of wave models; automatic lets the program choose.
+enum class ModelChoice { automatic, linear, airy, prescribed };
+
+enum class FloorMethod { two_pass, truth };
+
+/// How wide a landed sample is on the floor.
+enum class Footprint { pixel };
+
+/// The patch of water, [0, size] with the grid's cells.
+struct DomainSection {
+    glm::dvec2 size_m{1, 1};
+    glm::ivec2 cells{1, 1};
+    double depth_m = 1;
+};
+
+struct WavesSection {
+    ModelChoice model = ModelChoice::automatic;
+    std::optional<Side> boundary_x;  ///< none: chosen by resolve_boundary()
+    std::optional<Side> boundary_y;
+    double duration_s = 0;
+    std::optional<double> cfl;       ///< none: the model's own
+    std::optional<double> margin_m;  ///< none: chosen by the model
+    std::optional<glm::dvec2> slope;
+    std::optional<std::string> file;
+    std::vector<Sine> sines;
+    std::vector<StandingWave> standing;
+    std::optional<SpectrumSettings> spectrum;
+    std::optional<BuoySettings> buoy;
+    std::optional<GerstnerSettings> gerstner;
+    std::vector<Source> sources;
+};
+
+struct FloorSection {
+    FloorMethod method = FloorMethod::two_pass;
+    glm::ivec2 pixels{1, 1};
+    std::optional<FloorWindow> window;  ///< none: auto
+    Footprint footprint = Footprint::pixel;
+    double angle_deg = 0;
+    std::optional<glm::dvec2> centre_m;  ///< none: of the domain
+    std::optional<glm::dvec2> size_m;    ///< none: the domain's
+    double tolerance = 1e-3;             ///< of the truth: relative RMSE that its own estimate is to reach
+    int most_subsamples = 32;            ///< of the truth: per pixel and axis, where its refinement ends
+};
+
+struct OutputSection {
+    double every_s = 0.1;
+    std::vector<std::string> formats{"vti", "png"};
+    std::vector<std::string> fields{"elevation", "velocity", "depth"};
+    Compression compression = Compression::none;
+    std::optional<double> elevation_max_m;      ///< of the pictures; none: of each frame
+    std::optional<double> irradiance_max_w_m2;  ///< of the pictures; none: three times that of flat water
+
+    bool wants(const std::string& format) const;
+    bool shows(const std::string& field) const;
+};
+
+/// A gauge: the elevation of the surface, and the irradiance on the floor below it, at one place.
+struct Probe {
+    std::string name;
+    glm::dvec2 at_m{0, 0};
+};
+
+/// An expectation about one number of the report.
+struct Check {
+    std::string quantity;
+    std::optional<double> equals;
+    std::optional<double> below;
+    std::optional<double> above;
+    double tolerance = 0;           ///< of equals, absolute
+    double relative_tolerance = 0;  ///< of equals, relative; the larger of both counts
+};
+
+struct Scenario {
+    std::string title;
+    DomainSection domain;
+    Water water;  ///< its depth is the domain's
+    WaterOptics optics;
+    WavesSection waves;
+    Sun light;
+    std::optional<FloorSection> floor;
+    OutputSection output;
+    std::vector<Probe> probes;
+    std::vector<Check> checks;
+
+    Origin origin;  ///< where each key was stated
+};
+
+}  // namespace waterlight

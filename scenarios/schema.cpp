@@ -1,0 +1,286 @@
+// Every key of a scenario, once: name, unit, range, meaning. Types and defaults are those of the settings they fill.
+#include "scenarios/schema.hpp"
+
+#include "scenarios/scenario.hpp"
+
+namespace waterlight {
+
+namespace {
+
+constexpr Range positive{.low = 0, .excludes_low = true};
+constexpr Range not_negative{.low = 0};
+constexpr Range circle{.low = -360, .high = 360};
+constexpr Range cell_counts{.low = 4, .high = 1 << 20};
+constexpr Range pixel_counts{.low = 1, .high = 1 << 20};
+constexpr Range window_sizes{.low = 1, .high = 9999};
+
+/// The names follow the order of the enumeration.
+template <class E>
+Choice choice(E& value, std::vector<std::string_view> names) {
+    return {std::move(names), static_cast<int>(value), [&value](int i) { value = static_cast<E>(i); }};
+}
+
+/// As choice(), with a word in front for "none".
+template <class E>
+Choice choice_or(std::string_view none, std::optional<E>& value, std::vector<std::string_view> names) {
+    names.insert(names.begin(), none);
+    return {std::move(names), value ? static_cast<int>(*value) + 1 : 0, [&value](int i) {
+                if (i == 0)
+                    value.reset();
+                else
+                    value = static_cast<E>(i - 1);
+            }};
+}
+
+template <class T, class Describe>
+Visitor::Inside into(std::optional<T>& value, Describe describe_one) {
+    return [&value, describe_one](Visitor& v) {
+        T stated;
+        describe_one(v, stated);
+        value = stated;
+    };
+}
+
+template <class T, class List, class Describe>
+Visitor::Inside append(List& values, Describe describe_one) {
+    return [&values, describe_one](Visitor& v) {
+        T stated;
+        describe_one(v, stated);
+        values.push_back(stated);
+    };
+}
+
+void describe_domain(Visitor& v, DomainSection& s) {
+    v.value({"size_m", "m", "Width and height of the patch of water.", positive, true}, &s.size_m);
+    v.value({"cells", "", "Cells of the wave model along x and y.", cell_counts, true}, &s.cells);
+    v.value({"depth_m", "m", "Depth of the still water above the flat floor.", positive, true}, &s.depth_m);
+}
+
+void describe_water(Visitor& v, Water& w, WaterOptics& o) {
+    v.value({"gravity_m_s2", "m/s2", "Acceleration of gravity.", positive}, &w.gravity_m_s2);
+    v.value({"density_kg_m3", "kg/m3", "Density.", positive}, &w.density_kg_m3);
+    v.value({"surface_tension_n_m", "N/m", "Surface tension; felt by ripples shorter than some 5 cm.", not_negative},
+            &w.surface_tension_n_m);
+    v.value({"refractive_index", "", "Of the water; that of air is 1.", {.low = 1, .high = 3}}, &o.refractive_index);
+    v.value({"fresnel", "", "Whether the surface reflects its share; false lets all light in."}, &o.fresnel);
+    v.value({"absorption_per_m", "1/m", "Absorption coefficient a.", not_negative}, &o.absorption_per_m);
+    v.value({"scattering_per_m", "1/m", "Scattering coefficient b; the floor sees unscattered light.", not_negative},
+            &o.scattering_per_m);
+}
+
+void describe_sine(Visitor& v, Sine& s) {
+    v.value({"amplitude_m", "m", "Amplitude a.", {}, true}, &s.amplitude_m);
+    v.value({"wavelength_m", "m", "Wavelength.", positive, true}, &s.wavelength_m);
+    v.value({"direction_deg", "deg", "Direction of travel, counter-clockwise from +x.", circle}, &s.direction_deg);
+    v.value({"phase_deg", "deg", "Phase at the origin at time 0.", circle}, &s.phase_deg);
+    v.value({"frozen", "", "Whether it stands still; model prescribed only."}, &s.frozen);
+}
+
+void describe_standing(Visitor& v, StandingWave& s) {
+    v.value({"amplitude_m", "m", "Amplitude.", {}, true}, &s.amplitude_m);
+    v.value({"half_waves_x", "", "Half waves along x.", {.low = 0, .high = 1 << 20}}, &s.half_waves_x);
+    v.value({"half_waves_y", "", "Half waves along y.", {.low = 0, .high = 1 << 20}}, &s.half_waves_y);
+}
+
+void describe_spectrum(Visitor& v, SpectrumSettings& s) {
+    v.value({"type", "", "Model of the sea."}, choice(s.type, {"pierson-moskowitz", "jonswap", "tma"}));
+    v.value({"significant_height_m", "m", "Hs = 4 sqrt(m0) of the whole spectrum.", positive}, &s.significant_height_m);
+    v.value({"peak_period_s", "s", "Period of the most energetic waves.", positive}, &s.peak_period_s);
+    v.value({"peak_enhancement", "", "gamma of JONSWAP and TMA.", {.low = 1, .high = 20}}, &s.peak_enhancement);
+    v.value({"direction_deg", "deg", "Direction towards which the sea runs, counter-clockwise from +x.", circle},
+            &s.direction_deg);
+    v.value({"spreading", "", "s of the spreading cos^2s(angle / 2).", {.low = 0, .high = 1000}}, &s.spreading);
+    v.value({"seed", "", "Seed of the random phases."}, &s.seed);
+}
+
+void describe_buoy(Visitor& v, std::string& stem, BuoySettings& s) {
+    v.value(
+        {"stem",
+         "",
+         "Path of a buoy's five NDBC files without .data_spec, .swdir, .swdir2, .swr1, .swr2; beside the scenario or "
+         "below $WATERLIGHT_DATA.",
+         {},
+         true},
+        &stem);
+    v.value({.name = "time", .meaning = "Record to take, \"YYYY-MM-DD hh:mm\".", .otherwise = "the newest complete"},
+            &s.time);
+    v.value({"tail", "", "Whether to continue the spectrum beyond the buoy's highest frequency."}, &s.tail);
+    v.value({"seed", "", "Seed of the random phases."}, &s.seed);
+}
+
+void describe_gerstner(Visitor& v, GerstnerSettings& s) {
+    v.value({"waves", "", "Number of trochoidal waves.", {.low = 1, .high = 10000}}, &s.waves);
+    v.value({"wavelength_m", "m", "Shortest and longest wavelength.", positive}, &s.wavelength_m);
+    v.value({"steepness", "", "Sum of k a over the waves.", {.low = 0, .high = 1, .excludes_high = true}},
+            &s.steepness);
+    v.value({"direction_deg", "deg", "Mean direction of travel, counter-clockwise from +x.", circle}, &s.direction_deg);
+    v.value({"spread_deg", "deg", "Directions are drawn within this of the mean.", {.low = 0, .high = 180}},
+            &s.spread_deg);
+    v.value({"seed", "", "Seed of lengths, directions and phases."}, &s.seed);
+}
+
+void describe_drop(Visitor& v, Drop& s) {
+    v.value({"at_m", "m", "Place.", {}, true}, &s.at_m);
+    v.value({"radius_m", "m", "Radius R of height (1 - r2/R2) exp(-r2/R2).", positive}, &s.radius_m);
+    v.value({"height_m", "m", "Height at the centre; negative digs."}, &s.height_m);
+    v.value({"time_s", "s", "When it falls.", not_negative}, &s.time_s);
+}
+
+void describe_rain(Visitor& v, Rain& s) {
+    v.value({"drops_per_m2_s", "1/(m2 s)", "Mean number of drops.", positive}, &s.drops_per_m2_s);
+    v.value({"radius_m", "m", "Least and greatest radius.", positive}, &s.radius_m);
+    v.value({"height_m", "m", "Least and greatest height at the centre; negative digs."}, &s.height_m);
+    v.value({"start_s", "s", "When it begins.", not_negative}, &s.start_s);
+    v.value({.name = "end_s", .unit = "s", .meaning = "When it ends.", .range = not_negative, .otherwise = "never"},
+            &s.end_s);
+    v.value({"seed", "", "Seed of places, times and sizes."}, &s.seed);
+}
+
+void describe_wavemaker(Visitor& v, Wavemaker& s) {
+    v.value({"from_m", "m", "One end of its line.", {}, true}, &s.from_m);
+    v.value({"to_m", "m", "The other end.", {}, true}, &s.to_m);
+    v.value({"amplitude_m", "m", "Amplitude of the waves it sends to both sides.", not_negative}, &s.amplitude_m);
+    v.value({"period_s", "s", "Period.", positive}, &s.period_s);
+    v.value({"phase_deg", "deg", "Phase at its start.", circle}, &s.phase_deg);
+    v.value({"start_s", "s", "When it starts.", not_negative}, &s.start_s);
+    v.value({"ramp_periods", "", "Periods over which it swells to its amplitude.", not_negative}, &s.ramp_periods);
+}
+
+void describe_waves(Visitor& v, WavesSection& s) {
+    v.value({"model", "", "Wave model; auto takes prescribed where slope, file or gerstner is stated, else airy."},
+            choice(s.model, {"auto", "linear", "airy", "prescribed"}));
+    v.section(
+        {"boundary", "",
+         "What happens at the sides; auto is periodic for the model prescribed and for a spectrum or a buoy, else "
+         "wall."},
+        [&s](Visitor& in) {
+            in.value({"x", "", "Both x sides."}, choice_or("auto", s.boundary_x, {"periodic", "wall", "absorbing"}));
+            in.value({"y", "", "Both y sides."}, choice_or("auto", s.boundary_y, {"periodic", "wall", "absorbing"}));
+        });
+    v.value({"duration_s", "s", "Time to simulate; 0 gives one frame.", not_negative}, &s.duration_s);
+    v.value({"cfl",
+             "",
+             "c dt sqrt(1/dx2 + 1/dy2); model linear only.",
+             {.low = 0, .high = 1, .excludes_low = true},
+             false,
+             "0.9"},
+            &s.cfl);
+    v.value({"margin_m", "m", "Width of the hidden margin that swallows waves beyond an absorbing side.", positive,
+             false, "chosen by the model"},
+            &s.margin_m);
+    v.value({"slope",
+             "",
+             "A tilt of the surface along x and y; model prescribed only.",
+             {.low = -1, .high = 1},
+             false,
+             "none"},
+            &s.slope);
+    v.value({"file",
+             "",
+             "Surface to take instead of formulas: .vti, or .pvd for a series, with an array \"elevation\"; beside the "
+             "scenario or below $WATERLIGHT_DATA; model prescribed only.",
+             {},
+             false,
+             "none"},
+            &s.file);
+    v.list({"sine", "", "A plane wave to start from."}, {{"", "", append<Sine>(s.sines, describe_sine)}});
+    v.list({"standing", "", "A standing wave to start from."},
+           {{"", "", append<StandingWave>(s.standing, describe_standing)}});
+    v.optional_section({"spectrum", "", "A random sea to start from; model airy, periodic sides."},
+                       into(s.spectrum, describe_spectrum));
+    v.optional_section({"buoy", "", "A measured sea to start from; model airy, periodic sides."},
+                       into(s.buoy, [](Visitor& in, BuoySettings& buoy) {
+                           std::string stem = buoy.stem.string();
+                           describe_buoy(in, stem, buoy);
+                           buoy.stem = stem;
+                       }));
+    v.optional_section({"gerstner", "", "A sea of trochoidal waves; model prescribed."},
+                       into(s.gerstner, describe_gerstner));
+    v.list({"source", "", "What disturbs the water; models linear and airy."},
+           {{"drop", "A crater or a bump with its rim, of no volume.", append<Drop>(s.sources, describe_drop)},
+            {"rain", "Drops at random places and times.", append<Rain>(s.sources, describe_rain)},
+            {"wavemaker", "A line that sends plane waves to both sides.",
+             append<Wavemaker>(s.sources, describe_wavemaker)}});
+}
+
+void describe_light(Visitor& v, Sun& s) {
+    v.value({"elevation_deg", "deg", "Of the sun above the horizon.", {.low = 0, .high = 90, .excludes_low = true}},
+            &s.elevation_deg);
+    v.value({"azimuth_deg", "deg", "Towards the sun, counter-clockwise from +x.", circle}, &s.azimuth_deg);
+    v.value({"irradiance_w_m2", "W/m2", "Of the sun on a plane that faces it.", not_negative}, &s.irradiance_w_m2);
+}
+
+void describe_window(Visitor& v, FloorWindow& s) {
+    v.value({"samples", "", "Samples N along the map's x; odd.", window_sizes}, &s.samples);
+    v.value({"channels", "", "Rows M + 1 along the map's y; odd.", window_sizes}, &s.channels);
+}
+
+void describe_floor(Visitor& v, FloorSection& s) {
+    v.value({"method", "", "two-pass: fast, float; truth: converged, double precision, slow."},
+            choice(s.method, {"two-pass", "truth"}));
+    v.value({"pixels", "", "Pixels of the map along its x and y.", pixel_counts, true}, &s.pixels);
+    v.optional_section(
+        {.name = "window",
+         .meaning = "How far light is followed from its rest position; auto is the least that loses none.",
+         .otherwise = "auto"},
+        into(s.window, describe_window));
+    v.value({"footprint", "", "Width of a landed sample; pixel is that of Yuksel & Keyser."},
+            choice(s.footprint, {"pixel"}));
+    v.value({"angle_deg", "deg", "Of the map's x axis, counter-clockwise from the domain's.", circle}, &s.angle_deg);
+    v.value({"centre_m", "m", "Centre of the map on the floor.", {}, false, "the domain's"}, &s.centre_m);
+    v.value({"size_m", "m", "Size of the map.", positive, false, "the domain's"}, &s.size_m);
+    v.value({"tolerance",
+             "",
+             "Relative error that the truth's own estimate must reach; method truth only.",
+             {.low = 1e-7, .high = 0.1}},
+            &s.tolerance);
+}
+
+void describe_output(Visitor& v, OutputSection& s) {
+    v.value({"every_s", "s", "Time between frames.", positive}, &s.every_s);
+    v.value({"formats", "", "What to write."}, Words{{"vti", "png", "exr"}, &s.formats});
+    v.value({"fields", "", "Arrays of surface/*.vti beside elevation, where the model has them."},
+            Words{{"elevation", "slope", "velocity", "depth"}, &s.fields});
+    v.value({"compression", "", "Of the .vti arrays."}, choice(s.compression, {"none", "lz4", "zlib"}));
+    v.value(
+        {"elevation_max_m", "m", "Elevation at the ends of the pictures' colours.", positive, false, "each frame's"},
+        &s.elevation_max_m);
+    v.value({"irradiance_max_w_m2", "W/m2", "Irradiance at the bright end of the pictures' colours.", positive, false,
+             "three times that below flat water"},
+            &s.irradiance_max_w_m2);
+}
+
+void describe_probe(Visitor& v, Probe& s) {
+    v.value({"name", "", "Column in probes.csv; letters, digits, _ and -.", {}, true}, &s.name);
+    v.value({"at_m", "m", "Place in the domain.", {}, true}, &s.at_m);
+}
+
+void describe_check(Visitor& v, Check& s) {
+    v.value({"quantity", "", "Number of the report to judge.", {}, true}, &s.quantity);
+    v.value({"equals", "", "Expected value, within the larger of both tolerances.", {}, false, "none"}, &s.equals);
+    v.value({"below", "", "Upper bound.", {}, false, "none"}, &s.below);
+    v.value({"above", "", "Lower bound.", {}, false, "none"}, &s.above);
+    v.value({"tolerance", "", "Absolute tolerance of equals.", not_negative}, &s.tolerance);
+    v.value({"relative_tolerance", "", "Relative tolerance of equals.", not_negative}, &s.relative_tolerance);
+}
+
+}  // namespace
+
+void describe(Visitor& v, Scenario& s) {
+    v.value({"title", "", "What the scenario shows, in a few words."}, &s.title);
+    v.section({"domain", "", "The patch of water."}, [&s](Visitor& in) { describe_domain(in, s.domain); });
+    v.section({"water", "", "The water as waves and light feel it."},
+              [&s](Visitor& in) { describe_water(in, s.water, s.optics); });
+    v.section({"waves", "", "How the surface moves."}, [&s](Visitor& in) { describe_waves(in, s.waves); });
+    v.section({"light", "", "The sun."}, [&s](Visitor& in) { describe_light(in, s.light); });
+    v.section({"caustics", "", "The light that the water focuses."}, [&s](Visitor& in) {
+        in.optional_section({"floor", "", "The map of irradiance on the floor."}, into(s.floor, describe_floor));
+    });
+    v.section({"output", "", "What is written."}, [&s](Visitor& in) { describe_output(in, s.output); });
+    v.list({"probe", "", "A gauge: elevation, and irradiance on the floor below."},
+           {{"", "", append<Probe>(s.probes, describe_probe)}});
+    v.list({"check", "", "An expectation; the run fails with exit 1 where it is not met."},
+           {{"", "", append<Check>(s.checks, describe_check)}});
+}
+
+}  // namespace waterlight

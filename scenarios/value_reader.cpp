@@ -1,0 +1,128 @@
+#include "scenarios/value_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace waterlight {
+
+namespace {
+
+std::optional<double> number_in(const Range& range, const toml::node& node) {
+    if (!node.is_number()) return std::nullopt;
+    const double x = *node.value<double>();
+    return range.contains(x) ? std::optional(x) : std::nullopt;
+}
+
+std::optional<int> integer_in(const Range& range, const toml::node& node) {
+    if (!node.is_integer()) return std::nullopt;
+    const std::int64_t x = *node.value<std::int64_t>();
+    const bool fits = x >= std::numeric_limits<int>::min() && x <= std::numeric_limits<int>::max();
+    return fits && range.contains(static_cast<double>(x)) ? std::optional(static_cast<int>(x)) : std::nullopt;
+}
+
+std::optional<std::string> text_of(const toml::node& node, const std::string* raw) {
+    if (node.is_string()) return *node.value<std::string>();
+    if (raw && !node.is_array() && !node.is_table()) return *raw;
+    return std::nullopt;
+}
+
+/// Reads into a target; each overload returns whether the value was allowed.
+struct Reading {
+    const Key& key;
+    const toml::node& node;
+    const std::string* raw;
+
+    template <class T, class V>
+    static bool store(T* target, const std::optional<V>& value) {
+        if (value) *target = *value;
+        return value.has_value();
+    }
+
+    bool operator()(double* t) const { return store(t, number_in(key.range, node)); }
+    bool operator()(std::optional<double>* t) const { return store(t, number_in(key.range, node)); }
+    bool operator()(int* t) const { return store(t, integer_in(key.range, node)); }
+    bool operator()(std::uint64_t* t) const {
+        if (!node.is_integer() || *node.value<std::int64_t>() < 0) return false;
+        *t = static_cast<std::uint64_t>(*node.value<std::int64_t>());
+        return true;
+    }
+    bool operator()(bool* t) const { return store(t, node.is_boolean() ? node.value<bool>() : std::nullopt); }
+    bool operator()(std::string* t) const { return store(t, text_of(node, raw)); }
+    bool operator()(std::optional<std::string>* t) const { return store(t, text_of(node, raw)); }
+    bool operator()(glm::dvec2* t) const { return store(t, pair<glm::dvec2>(number_in)); }
+    bool operator()(std::optional<glm::dvec2>* t) const { return store(t, pair<glm::dvec2>(number_in)); }
+    bool operator()(glm::ivec2* t) const { return store(t, pair<glm::ivec2>(integer_in)); }
+    bool operator()(const Choice& choice) const {
+        const auto index = index_in(choice.names, text_of(node, raw));
+        if (index) choice.select(static_cast<int>(*index));
+        return index.has_value();
+    }
+    bool operator()(const Words& words) const {
+        const toml::array* list = node.as_array();
+        if (!list) return false;
+        std::vector<std::string> values;
+        for (const toml::node& element : *list) {
+            const auto index = index_in(words.names, text_of(element, nullptr));
+            if (!index) return false;
+            values.emplace_back(words.names[*index]);
+        }
+        *words.values = values;
+        return true;
+    }
+
+  private:
+    template <class Vec, class ReadOne>
+    std::optional<Vec> pair(ReadOne read_one) const {
+        const toml::array* list = node.as_array();
+        if (!list || list->size() != 2) return std::nullopt;
+        const auto x = read_one(key.range, *list->get(0)), y = read_one(key.range, *list->get(1));
+        if (!x || !y) return std::nullopt;
+        return Vec(*x, *y);
+    }
+
+    static std::optional<std::size_t> index_in(const std::vector<std::string_view>& names,
+                                               const std::optional<std::string>& word) {
+        if (!word) return std::nullopt;
+        const auto at = std::find(names.begin(), names.end(), *word);
+        if (at == names.end()) return std::nullopt;
+        return static_cast<std::size_t>(at - names.begin());
+    }
+};
+
+std::string shortened(std::string text) {
+    constexpr std::size_t longest = 60;
+    if (text.size() <= longest) return text;
+    text.resize(longest);
+    return text + "...";
+}
+
+}  // namespace
+
+std::optional<std::string> read_value(const Key& key, const Target& target, const toml::node& node,
+                                      const std::string* raw) {
+    if (std::visit(Reading{key, node, raw}, target)) return std::nullopt;
+    return found_text(node);
+}
+
+std::string found_text(const toml::node& node) {
+    if (const toml::table* table = node.as_table()) return fmt::format("a table of {}", table->size());
+    const toml::array* list = node.as_array();
+    if (list && (list->size() > 4 || std::any_of(list->begin(), list->end(), [](const toml::node& element) {
+                     return element.is_table() || element.is_array();
+                 })))
+        return fmt::format("a list of {}", list->size());
+    std::ostringstream text;
+    if (list)
+        text << *list;
+    else
+        node.visit([&text](const auto& value) {
+            if constexpr (toml::is_value<decltype(value)>) text << value;
+        });
+    return shortened(text.str());
+}
+
+}  // namespace waterlight
