@@ -28,7 +28,7 @@ namespace {
 using gpu::BufferUse;
 
 constexpr std::int64_t band_bytes = std::int64_t{1} << 27;  // of channels, and of landed samples
-constexpr std::array<std::uint32_t, 3> row_workgroup{128, 1, 1};
+constexpr std::array<std::uint32_t, 3> row_workgroup{64, 1, 1};
 constexpr std::array<std::uint32_t, 3> tile_workgroup{32, 8, 1};
 
 FloorParameters parameters(const FloorFrame& frame, const Surface& surface) {
@@ -58,13 +58,13 @@ FloorParameters parameters(const FloorFrame& frame, const Surface& surface) {
             .first_column = frame.columns.first,
             .column_count = frame.columns.count,
             .first_row = frame.rows.first,
-            .row_count = frame.rows.count,
             .half_samples = frame.half_samples(),
             .half_channels = frame.half_channels(),
             .map_width = frame.map_width,
             .map_height = frame.map_height,
-            .count_base_x = frame.count_base_x ? 1 : 0,
-            .count_base_y = frame.count_base_y ? 1 : 0};
+            .count_base = (frame.count_base_x ? 1 : 0) + (frame.count_base_y ? 2 : 0),
+            .band_begin = 0,
+            .band_count = 0};
 }
 
 /// How many lattice rows the passes handle at a time.
@@ -85,10 +85,10 @@ class FloorVulkan final : public FloorMapper {
     FloorVulkan(const FloorSettings& settings, std::shared_ptr<gpu::Context> context)
         : settings_(settings), context_(std::move(context)), commands_(context_) {
         validate(settings);
-        constexpr std::uint32_t push = sizeof(FloorBand);
-        land_.emplace(context_, gpu::PassSettings{"floor: land", shaders::floor_land, 7, push, row_workgroup});
-        gather_.emplace(context_, gpu::PassSettings{"floor: gather", shaders::floor_gather, 3, push, tile_workgroup});
-        sum_.emplace(context_, gpu::PassSettings{"floor: sum", shaders::floor_sum, 3, push, tile_workgroup});
+        constexpr std::uint32_t push = sizeof(FloorParameters);
+        land_.emplace(context_, gpu::PassSettings{"floor: land", shaders::floor_land, 6, push, row_workgroup});
+        gather_.emplace(context_, gpu::PassSettings{"floor: gather", shaders::floor_gather, 2, push, tile_workgroup});
+        sum_.emplace(context_, gpu::PassSettings{"floor: sum", shaders::floor_sum, 2, push, tile_workgroup});
     }
 
     std::string_view backend() const override { return "vulkan"; }
@@ -98,7 +98,7 @@ class FloorVulkan final : public FloorMapper {
         const int rows = band_rows(frame);
         allocate(frame, surface, rows);
         write(frame, surface);
-        record(frame, rows);
+        record(frame, surface, rows);
         commands_.run();
         read(frame, map);
     }
@@ -116,42 +116,42 @@ class FloorVulkan final : public FloorMapper {
     void allocate(const FloorFrame& frame, const Surface& surface, int rows) {
         const std::int64_t columns = frame.columns.count, width = frame.map_width;
         const auto cells = static_cast<std::int64_t>(surface.grid.cells());
-        reserve<FloorParameters>(parameters_, 1, BufferUse::from_host);
-        reserve<FloorPlace>(places_, 2 * (columns + frame.rows.count), BufferUse::from_host);
+        reserve<FloorPlace>(places_, columns + frame.rows.count, BufferUse::from_host);
         reserve<float>(elevation_, cells, BufferUse::from_host);
         reserve<float>(slope_x_, cells, BufferUse::from_host);
         reserve<float>(slope_y_, cells, BufferUse::from_host);
         reserve<float>(landed_, 3 * columns * rows, BufferUse::device);
-        reserve<FloorRowLedger>(ledger_, frame.rows.count, BufferUse::to_host);
+        reserve<FloorRowLedger>(ledger_, std::int64_t{frame.rows.count} * row_workgroup[0], BufferUse::to_host);
         reserve<float>(channels_, width * rows * frame.window.channels, BufferUse::device);
         reserve<float>(map_, width * frame.map_height, BufferUse::to_host);
-        land_->bind({&*parameters_, &*places_, &*elevation_, &*slope_x_, &*slope_y_, &*landed_, &*ledger_});
-        gather_->bind({&*parameters_, &*landed_, &*channels_});
-        sum_->bind({&*parameters_, &*channels_, &*map_});
+        land_->bind({&*places_, &*elevation_, &*slope_x_, &*slope_y_, &*landed_, &*ledger_});
+        gather_->bind({&*landed_, &*channels_});
+        sum_->bind({&*channels_, &*map_});
     }
 
     void write(const FloorFrame& frame, const Surface& surface) {
-        parameters_->host<FloorParameters>()[0] = parameters(frame, surface);
         FloorPlace* place = places_->host<FloorPlace>().data();
-        for (const auto* places : {&frame.column_x, &frame.column_y, &frame.row_x, &frame.row_y})
-            for (const SplitPlace& from : *places) *place++ = {from.whole, from.part};
+        const auto put = [&](SplitPlace x, SplitPlace y) { *place++ = {x.whole, x.part, y.whole, y.part}; };
+        for (int i = 0; i < frame.columns.count; ++i) put(frame.column_x[i], frame.column_y[i]);
+        for (int j = 0; j < frame.rows.count; ++j) put(frame.row_x[j], frame.row_y[j]);
         std::ranges::copy(surface.elevation.values(), elevation_->host<float>().begin());
         std::ranges::copy(surface.slope_x.values(), slope_x_->host<float>().begin());
         std::ranges::copy(surface.slope_y.values(), slope_y_->host<float>().begin());
     }
 
-    void record(const FloorFrame& frame, int rows) {
-        for (const Storage* from_host : {&parameters_, &places_, &elevation_, &slope_x_, &slope_y_})
-            commands_.upload(**from_host);
+    void record(const FloorFrame& frame, const Surface& surface, int rows) {
+        for (const Storage* from_host : {&places_, &elevation_, &slope_x_, &slope_y_}) commands_.upload(**from_host);
         commands_.clear(*map_);
+        FloorParameters push = parameters(frame, surface);
         for (int begin = 0; begin < frame.rows.count; begin += rows) {
-            const FloorBand band{begin, std::min(rows, frame.rows.count - begin)};
+            push.band_begin = begin;
+            push.band_count = std::min(rows, frame.rows.count - begin);
             const auto width = static_cast<std::uint32_t>(frame.map_width);
-            const auto count = static_cast<std::uint32_t>(band.count);
-            const auto reached = static_cast<std::uint32_t>(band.count + frame.window.channels - 1);
-            commands_.dispatch(*land_, {row_workgroup[0], count, 1}, band);
-            commands_.dispatch(*gather_, {width, count, 1}, band);
-            commands_.dispatch(*sum_, {width, reached, 1}, band);
+            const auto count = static_cast<std::uint32_t>(push.band_count);
+            const auto reached = static_cast<std::uint32_t>(push.band_count + frame.window.channels - 1);
+            commands_.dispatch(*land_, {row_workgroup[0], count, 1}, push);
+            commands_.dispatch(*gather_, {width, count, 1}, push);
+            commands_.dispatch(*sum_, {width, reached, 1}, push);
         }
         commands_.download(*map_);
         commands_.download(*ledger_);
@@ -163,14 +163,14 @@ class FloorVulkan final : public FloorMapper {
         map.window = frame.window;
         map.ledger = {};
         const double area = frame.pixel_area_m2;
-        const std::span<const FloorRowLedger> rows = ledger_->host<FloorRowLedger>();
-        for (int j = 0; j < frame.rows.count; ++j) {
-            map.ledger.incident_w += area * rows[j].incident;
-            map.ledger.reflected_w += area * rows[j].reflected;
-            map.ledger.extinguished_w += area * rows[j].extinguished;
-            map.ledger.outside_w += area * rows[j].outside;
-            map.ledger.lost_w += area * rows[j].lost;
-            map.ledger.entered_w += area * rows[j].entered;
+        const std::size_t parts = std::size_t{row_workgroup[0]} * static_cast<std::size_t>(frame.rows.count);
+        for (const FloorRowLedger& part : ledger_->host<FloorRowLedger>().first(parts)) {
+            map.ledger.incident_w += area * part.incident;
+            map.ledger.reflected_w += area * part.reflected;
+            map.ledger.extinguished_w += area * part.extinguished;
+            map.ledger.outside_w += area * part.outside;
+            map.ledger.lost_w += area * part.lost;
+            map.ledger.entered_w += area * part.entered;
         }
         double sum = 0;
         const std::span<const float> pixels = map_->host<float>().first(map.irradiance.size());
@@ -182,7 +182,7 @@ class FloorVulkan final : public FloorMapper {
     FloorSettings settings_;
     std::shared_ptr<gpu::Context> context_;
     std::optional<gpu::Pass> land_, gather_, sum_;
-    Storage parameters_, places_, elevation_, slope_x_, slope_y_, landed_, ledger_, channels_, map_;
+    Storage places_, elevation_, slope_x_, slope_y_, landed_, ledger_, channels_, map_;
     gpu::Commands commands_;
 };
 

@@ -11,14 +11,13 @@
 
 layout(local_size_x_id = 0, local_size_y_id = 1, local_size_z_id = 2) in;
 
-layout(push_constant) uniform Push { FloorBand band; };
-layout(std430, binding = 0) readonly buffer Parameters { FloorParameters f; };
-layout(std430, binding = 1) readonly buffer Landed { float landed[]; };
+layout(push_constant) uniform Push { FloorParameters f; };
+layout(std430, binding = 0) readonly buffer Landed { float landed[]; };
 // Channel by channel: the rows of the band, map_width wide.
-layout(std430, binding = 2) buffer Channels { float channels[]; };
+layout(std430, binding = 1) buffer Channels { float channels[]; };
 
 int slot(int channel, int row, int x) {
-    return ((channel + f.half_channels) * band.count + row) * f.map_width + x;
+    return ((channel + f.half_channels) * f.band_count + row) * f.map_width + x;
 }
 
 void add(int channel, int row, int x, real light) {
@@ -28,10 +27,10 @@ void add(int channel, int row, int x, real light) {
 void main() {
     int x = int(gl_GlobalInvocationID.x);
     int row = int(gl_GlobalInvocationID.y);
-    if (x >= f.map_width || row >= band.count) return;
+    if (x >= f.map_width || row >= f.band_count) return;
     for (int channel = -f.half_channels; channel <= f.half_channels; ++channel) channels[slot(channel, row, x)] = 0;
 
-    int band_size = band.count * f.column_count;
+    int band_size = f.band_count * f.column_count;
     int first = max(x - f.half_samples, f.first_column);
     int last = min(x + f.half_samples, f.first_column + f.column_count - 1);
     for (int base = first; base <= last; ++base) {

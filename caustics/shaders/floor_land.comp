@@ -1,4 +1,5 @@
-// Pass 0: lands the light of every sample of a band of lattice rows, and sums each row's ledger. One workgroup a row.
+// Pass 0: lands the light of every sample of a band of lattice rows. One workgroup a row; each of its invocations also
+// sums the ledger of the samples it landed.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -11,18 +12,14 @@
 
 layout(local_size_x_id = 0, local_size_y_id = 1, local_size_z_id = 2) in;
 
-layout(push_constant) uniform Push { FloorBand band; };
-layout(std430, binding = 0) readonly buffer Parameters { FloorParameters f; };
-// Of the columns: place along the domain's x, then along its y; then of the rows.
-layout(std430, binding = 1) readonly buffer Places { FloorPlace places[]; };
-layout(std430, binding = 2) readonly buffer Elevation { float elevations[]; };
-layout(std430, binding = 3) readonly buffer SlopeX { float slopes_x[]; };
-layout(std430, binding = 4) readonly buffer SlopeY { float slopes_y[]; };
+layout(push_constant) uniform Push { FloorParameters f; };
+layout(std430, binding = 0) readonly buffer Places { FloorPlace places[]; };  // of the columns, then of the rows
+layout(std430, binding = 1) readonly buffer Elevation { float elevations[]; };
+layout(std430, binding = 2) readonly buffer SlopeX { float slopes_x[]; };
+layout(std430, binding = 3) readonly buffer SlopeY { float slopes_y[]; };
 // Displacement along x of the whole band, then along y, then power.
-layout(std430, binding = 5) writeonly buffer Landed { float landed[]; };
-layout(std430, binding = 6) writeonly buffer Ledger { FloorRowLedger ledger[]; };
-
-shared FloorRowLedger partial[gl_WorkGroupSize.x];
+layout(std430, binding = 4) writeonly buffer Landed { float landed[]; };
+layout(std430, binding = 5) writeonly buffer Ledger { FloorRowLedger ledger[]; };
 
 struct SurfaceSample {
     real elevation;
@@ -31,9 +28,9 @@ struct SurfaceSample {
     real counted;  // part that the ledger counts
 };
 
-FloorPlace added(FloorPlace a, FloorPlace b) {
-    real part = a.part + b.part;
-    return part >= 1 ? FloorPlace(a.whole + b.whole + 1, part - 1) : FloorPlace(a.whole + b.whole, part);
+AxisPlace place(int whole, real part, int n, int side, real half_width) {
+    return part >= 1 ? place_on_axis(whole + 1, part - 1, n, side, half_width)
+                     : place_on_axis(whole, part, n, side, half_width);
 }
 
 real blend(vec4 around, AxisPlace x, AxisPlace y) {
@@ -41,10 +38,10 @@ real blend(vec4 around, AxisPlace x, AxisPlace y) {
 }
 
 SurfaceSample read_surface(int i, int j) {
-    FloorPlace at_x = added(places[i], places[2 * f.column_count + j]);
-    FloorPlace at_y = added(places[f.column_count + i], places[2 * f.column_count + f.row_count + j]);
-    AxisPlace x = place_on_axis(at_x.whole, at_x.part, f.nx, f.side_x, f.half_width_x);
-    AxisPlace y = place_on_axis(at_y.whole, at_y.part, f.ny, f.side_y, f.half_width_y);
+    FloorPlace c = places[i];
+    FloorPlace r = places[f.column_count + j];
+    AxisPlace x = place(c.whole_x + r.whole_x, c.part_x + r.part_x, f.nx, f.side_x, f.half_width_x);
+    AxisPlace y = place(c.whole_y + r.whole_y, c.part_y + r.part_y, f.ny, f.side_y, f.half_width_y);
     ivec4 cells = ivec4(x.low, x.high, x.low, x.high) + f.nx * ivec4(y.low, y.low, y.high, y.high);
     vec4 mirror_x = vec4(x.mirror_low, x.mirror_high, x.mirror_low, x.mirror_high);
     vec4 mirror_y = vec4(y.mirror_low, y.mirror_low, y.mirror_high, y.mirror_high);
@@ -53,8 +50,8 @@ SurfaceSample read_surface(int i, int j) {
     s.elevation = blend(AROUND(elevations), x, y) + f.climb_x * wraps_between(x) + f.climb_y * wraps_between(y);
     s.slope = real2(blend(mirror_x * AROUND(slopes_x), x, y), blend(mirror_y * AROUND(slopes_y), x, y));
     s.lit = lit_part(x, f.side_x) * lit_part(y, f.side_y);
-    s.counted = counted_part(x, f.side_x, f.count_base_x != 0, f.first_column + i, f.map_width) *
-                counted_part(y, f.side_y, f.count_base_y != 0, f.first_row + j, f.map_height);
+    s.counted = counted_part(x, f.side_x, (f.count_base & 1) != 0, f.first_column + i, f.map_width) *
+                counted_part(y, f.side_y, (f.count_base & 2) != 0, f.first_row + j, f.map_height);
     return s;
 }
 
@@ -72,8 +69,8 @@ FloorRowLedger land(int i, int j) {
     real transmitted = s.lit * l.transmitted;
     real power = f.extinction > 0 ? transmitted * beer_lambert(f.extinction, l.path) : transmitted;
 
-    int band_size = band.count * f.column_count;
-    int at = (j - band.begin) * f.column_count + i;
+    int band_size = f.band_count * f.column_count;
+    int at = (j - f.band_begin) * f.column_count + i;
     landed[at] = l.displacement.x;
     landed[at + band_size] = l.displacement.y;
     landed[at + 2 * band_size] = power;
@@ -93,15 +90,10 @@ FloorRowLedger sum(FloorRowLedger a, FloorRowLedger b) {
 }
 
 void main() {
-    int j = band.begin + int(gl_WorkGroupID.y);
-    uint me = gl_LocalInvocationID.x;
-    FloorRowLedger row = FloorRowLedger(0, 0, 0, 0, 0, 0);
-    for (int i = int(me); i < f.column_count; i += int(gl_WorkGroupSize.x)) row = sum(row, land(i, j));
-
-    partial[me] = row;
-    for (uint half_size = gl_WorkGroupSize.x / 2; half_size > 0; half_size /= 2) {
-        barrier();
-        if (me < half_size) partial[me] = sum(partial[me], partial[me + half_size]);
-    }
-    if (me == 0) ledger[j] = partial[0];
+    int j = f.band_begin + int(gl_WorkGroupID.y);
+    int me = int(gl_LocalInvocationID.x);
+    int workers = int(gl_WorkGroupSize.x);
+    FloorRowLedger mine = FloorRowLedger(0, 0, 0, 0, 0, 0);
+    for (int i = me; i < f.column_count; i += workers) mine = sum(mine, land(i, j));
+    ledger[j * workers + me] = mine;
 }

@@ -1,6 +1,7 @@
 // What the host tells the passes of the floor map. C++ and GLSL include the same text: scalars of four bytes only, so
 // that both lay it out alike. Names as in caustics/floor_frame.hpp.
 
+// The push constants of all three passes: 128 bytes, as many as every device takes.
 struct FloorParameters {
     // The light: FloorLight.
     float direction_x, direction_y, direction_z;
@@ -19,25 +20,23 @@ struct FloorParameters {
     // The lattice of samples and the map.
     float half_width_x, half_width_y;
     int first_column, column_count;
-    int first_row, row_count;
+    int first_row;
     int half_samples, half_channels;
     int map_width, map_height;
-    int count_base_x, count_base_y;
+    int count_base;  // 1: count_base_x, 2: count_base_y, 3: both
+    // The rows of the lattice that this run of the passes handles, counted from the lattice's first.
+    int band_begin, band_count;
 };
 
-// The rows of the lattice that one run of the passes handles, counted from the lattice's first.
-struct FloorBand {
-    int begin;
-    int count;
-};
-
-// A coordinate in cells: SplitPlace.
+// Coordinates in cells: SplitPlace along the domain's x and y.
 struct FloorPlace {
-    int whole;
-    float part;
+    int whole_x;
+    float part_x;
+    int whole_y;
+    float part_y;
 };
 
-// What one row of samples adds to the ledger, W/m2 of surface.
+// What some samples of one row add to the ledger, W/m2 of surface.
 struct FloorRowLedger {
     float incident;
     float reflected;
