@@ -40,8 +40,11 @@ SurfaceRows::SurfaceRows(const FloorFrame& frame, const Surface& surface)
 }
 
 SurfaceRows::Scratch SurfaceRows::scratch() const {
-    const std::size_t count = static_cast<std::size_t>(surface_.grid.nx) + 4;
-    return {std::vector<float>(count), std::vector<float>(count), std::vector<float>(count)};
+    const auto row = [this] {
+        const std::size_t count = frame_.columns.count;
+        return CellRow{-1, std::vector<float>(count), std::vector<float>(count), std::vector<float>(count)};
+    };
+    return {row(), row(), std::vector<float>(static_cast<std::size_t>(surface_.grid.nx) + 4)};
 }
 
 void SurfaceRows::read(int j, Scratch& scratch, SampleRow& out) const {
@@ -54,17 +57,9 @@ void SurfaceRows::read(int j, Scratch& scratch, SampleRow& out) const {
 
 namespace {
 
-/// row[1 + i] = water * (low[i] + weight (high[i] - low[i])) + climb, with the signs that mirrors give.
-void blend_rows(const float* __restrict low, const float* __restrict high, const f32::AxisPlace& p, bool slope_y,
-                int nx, float* __restrict row) {
-    const float a = p.water * (1 - p.weight) * (slope_y ? p.mirror_low : 1.0F);
-    const float b = p.water * p.weight * (slope_y ? p.mirror_high : 1.0F);
-#pragma GCC ivdep
-    for (int i = 0; i < nx; ++i) row[1 + i] = a * low[i] + b * high[i];
-}
-
-/// The ghosts beyond both ends of a blended row; `sign` is that of the mirror, `climb` that of one period.
-void fill_ghosts(Side side, float sign, float climb, int nx, std::vector<float>& row) {
+/// Copies a row of cells and adds its ghosts; `sign` is that of a wall's mirror, `climb` that of one period.
+void add_ghosts(const float* cells, int nx, Side side, float sign, float climb, std::vector<float>& row) {
+    std::copy_n(cells, nx, row.begin() + 1);
     if (side == Side::periodic) {
         row[0] = row[nx] - climb;
         row[nx + 1] = row[1] + climb;
@@ -74,6 +69,17 @@ void fill_ghosts(Side side, float sign, float climb, int nx, std::vector<float>&
         row[nx + 1] = mirrored * row[nx];
     }
     row[nx + 2] = row[nx + 3] = 0;
+}
+
+/// to[i] = low_part low[i] + high_part high[i] + rise.
+void blend(const std::vector<float>& low, float low_part, const std::vector<float>& high, float high_part, float rise,
+           std::vector<float>& to) {
+    const float* __restrict a = low.data();
+    const float* __restrict b = high.data();
+    float* __restrict out = to.data();
+    const int count = static_cast<int>(to.size());
+#pragma GCC ivdep
+    for (int i = 0; i < count; ++i) out[i] = low_part * a[i] + high_part * b[i] + rise;
 }
 
 void gather(const std::vector<int>& cells, const std::vector<float>& weights, const std::vector<float>& row,
@@ -92,36 +98,37 @@ void gather(const std::vector<int>& cells, const std::vector<float>& weights, co
 
 }  // namespace
 
-void SurfaceRows::read_aligned(int j, Scratch& scratch, SampleRow& out) const {
+void SurfaceRows::read_cells(int row, CellRow& out, std::vector<float>& with_ghosts) const {
     const Surface& s = surface_;
-    const int nx = s.grid.nx, count = frame_.columns.count;
-    const f32::AxisPlace p = place_y(frame_, s, frame_.row_y[j]);
-    blend_rows(s.elevation.row(p.low), s.elevation.row(p.high), p, false, nx, scratch.elevation.data());
-    blend_rows(s.slope_x.row(p.low), s.slope_x.row(p.high), p, false, nx, scratch.slope_x.data());
-    blend_rows(s.slope_y.row(p.low), s.slope_y.row(p.high), p, true, nx, scratch.slope_y.data());
-    fill_ghosts(s.boundary.x, 1, climb_.x, nx, scratch.elevation);
-    fill_ghosts(s.boundary.x, -1, 0, nx, scratch.slope_x);
-    fill_ghosts(s.boundary.x, 1, 0, nx, scratch.slope_y);
-    gather(cell_, weight_, scratch.elevation, out.elevation);
-    gather(cell_, weight_, scratch.slope_x, out.slope_x);
-    gather(cell_, weight_, scratch.slope_y, out.slope_y);
+    const auto read_field = [&](const Field<float>& field, float sign, float climb, std::vector<float>& to) {
+        add_ghosts(field.row(row), s.grid.nx, s.boundary.x, sign, climb, with_ghosts);
+        gather(cell_, weight_, with_ghosts, to);
+    };
+    read_field(s.elevation, 1, climb_.x, out.elevation);
+    read_field(s.slope_x, -1, 0, out.slope_x);
+    read_field(s.slope_y, 1, 0, out.slope_y);
+    for (std::size_t i = 0; i < climb_x_.size(); ++i) out.elevation[i] += climb_x_[i];
+    out.row = row;
+}
 
-    const float lit_y = f32::lit_part(p, side_number(s.boundary.y));
+void SurfaceRows::read_aligned(int j, Scratch& scratch, SampleRow& out) const {
+    const Side side = surface_.boundary.y;
+    const f32::AxisPlace p = place_y(frame_, surface_, frame_.row_y[j]);
+    if (scratch.low.row != p.low) std::swap(scratch.low, scratch.high);
+    if (scratch.low.row != p.low) read_cells(p.low, scratch.low, scratch.with_ghosts);
+    if (scratch.high.row != p.high) read_cells(p.high, scratch.high, scratch.with_ghosts);
+
+    const CellRow &low = scratch.low, &high = scratch.high;
+    const float low_part = p.water * (1 - p.weight), high_part = p.water * p.weight;
+    blend(low.elevation, low_part, high.elevation, high_part, climb_.y * f32::wraps_between(p), out.elevation);
+    blend(low.slope_x, low_part, high.slope_x, high_part, 0, out.slope_x);
+    blend(low.slope_y, low_part * p.mirror_low, high.slope_y, high_part * p.mirror_high, 0, out.slope_y);
+
+    const float lit_y = f32::lit_part(p, side_number(side));
     const float counted_y =
-        f32::counted_part(p, side_number(s.boundary.y), frame_.count_base_y, frame_.rows.first + j, frame_.map_height);
-    const float climb_y = climb_.y * f32::wraps_between(p);
-    float* __restrict elevation = out.elevation.data();
-    float* __restrict lit = out.lit.data();
-    float* __restrict counted = out.counted.data();
-    const float* __restrict climb_x = climb_x_.data();
-    const float* __restrict lit_x = lit_x_.data();
-    const float* __restrict counted_x = counted_x_.data();
-#pragma GCC ivdep
-    for (int i = 0; i < count; ++i) {
-        elevation[i] += climb_x[i] + climb_y;
-        lit[i] = lit_x[i] * lit_y;
-        counted[i] = counted_x[i] * counted_y;
-    }
+        f32::counted_part(p, side_number(side), frame_.count_base_y, frame_.rows.first + j, frame_.map_height);
+    blend(lit_x_, lit_y, lit_x_, 0, 0, out.lit);
+    blend(counted_x_, counted_y, counted_x_, 0, 0, out.counted);
 }
 
 void SurfaceRows::read_turned(int j, SampleRow& out) const {

@@ -19,9 +19,15 @@ struct SampleRow {
 /// own SampleRow and Scratch.
 class SurfaceRows {
   public:
-    /// Rows of the surface blended in y, with ghost cells at both ends and two cells of still water behind them.
-    struct Scratch {
+    /// A row of the surface's cells read at the columns of the lattice.
+    struct CellRow {
+        int row = -1;
         std::vector<float> elevation, slope_x, slope_y;
+    };
+    /// The two rows of cells around the row of samples read last: many rows of samples share them.
+    struct Scratch {
+        CellRow low, high;
+        std::vector<float> with_ghosts;  ///< a row of cells with a ghost at both ends and two cells of still water
     };
 
     SurfaceRows(const FloorFrame& frame, const Surface& surface);
@@ -32,11 +38,12 @@ class SurfaceRows {
   private:
     void read_aligned(int j, Scratch& scratch, SampleRow& out) const;
     void read_turned(int j, SampleRow& out) const;
+    void read_cells(int row, CellRow& out, std::vector<float>& with_ghosts) const;
 
     const FloorFrame& frame_;
     const Surface& surface_;
     glm::vec2 climb_;  ///< of the surface over one period
-    // Aligned maps: what column i of the lattice needs of any blended row.
+    // Aligned maps: what column i of the lattice needs of any row of cells.
     std::vector<int> cell_;
     std::vector<float> weight_, climb_x_, lit_x_, counted_x_;
 };

@@ -40,8 +40,22 @@ KERNEL real pixel_overlap(real distance) {
     return max(real(0), real(1) - abs(distance));
 }
 
-// How much of a sample's box lies in columns (rows) that the window reaches and, of that, on the map. The box of a
-// sample with base column `base` covers columns base + floor(displacement) and the next.
+// The parts of a sample's box in the two columns (rows) that it touches, base + low and base + low + 1 with
+// low = floor(displacement), where the window reaches them, else 0.
+struct BoxShare {
+    real low;
+    real high;
+};
+
+KERNEL BoxShare box_share(real displacement, real low, real half_window) {
+    real part = displacement - low;
+    BoxShare share;
+    share.low = abs(low) <= half_window ? real(1) - part : real(0);
+    share.high = abs(low + real(1)) <= half_window ? part : real(0);
+    return share;
+}
+
+// How much of the box the window sees and, of that, how much lies on a map of `size` columns.
 struct AxisShare {
     real in_window;
     real on_map;
@@ -49,16 +63,11 @@ struct AxisShare {
 
 KERNEL AxisShare share_on_axis(real displacement, real base, real half_window, real size) {
     real low = floor(displacement);
-    real high_weight = displacement - low;
-    real low_weight = real(1) - high_weight;
-    real high = low + real(1);
-    real low_seen = abs(low) <= half_window ? low_weight : real(0);
-    real high_seen = abs(high) <= half_window ? high_weight : real(0);
-    real low_column = base + low;
-    real high_column = base + high;
+    BoxShare box = box_share(displacement, low, half_window);
+    real column = base + low;
     AxisShare share;
-    share.in_window = low_seen + high_seen;
-    share.on_map = (low_column >= real(0) && low_column < size ? low_seen : real(0)) +
-                   (high_column >= real(0) && high_column < size ? high_seen : real(0));
+    share.in_window = box.low + box.high;
+    share.on_map = (column >= real(0) && column < size ? box.low : real(0)) +
+                   (column >= real(-1) && column < size - real(1) ? box.high : real(0));
     return share;
 }

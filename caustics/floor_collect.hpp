@@ -1,0 +1,38 @@
+// Passes 1 and 2 of the floor map on the CPU.
+#pragma once
+
+#include <vector>
+
+#include "caustics/floor_frame.hpp"
+#include "sim/field.hpp"
+
+namespace waterlight {
+
+/// Landed samples of the whole lattice: displacement from the base pixel (pixels) and power (W/m2 of surface).
+struct LandedSamples {
+    Field<float> x, y, power;
+    /// Least and largest y displacement in each row.
+    std::vector<float> lowest, highest;
+
+    void resize(int nx, int ny);
+};
+
+/// Adds up the light of all samples on the map and returns the sum over its pixels (W/m2). Every sample's box touches
+/// two columns and two rows; pass 1 adds its four shares to the four channels of the lower left of these pixels, pass 2
+/// sums for each pixel the channels of itself and of its left and lower neighbours. The same sums as the paper's gather
+/// of N samples in M + 1 rows, at a cost that depends on neither. Each thread keeps 16 bytes a pixel for its band of
+/// rows; the order of additions does not depend on the number of threads.
+class FloorCollector {
+  public:
+    double collect(const FloorFrame& frame, const LandedSamples& landed, Field<float>& map);
+
+  private:
+    struct Band {
+        std::vector<float> channels;
+        std::vector<int> pixel;
+        std::vector<float> shares;
+    };
+    std::vector<Band> bands_;
+};
+
+}  // namespace waterlight
