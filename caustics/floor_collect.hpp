@@ -20,19 +20,20 @@ struct LandedSamples {
 /// Adds up the light of all samples on the map and returns the sum over its pixels (W/m2). Every sample's box touches
 /// two columns and two rows; pass 1 adds its four shares to the four channels of the lower left of these pixels, pass 2
 /// sums for each pixel the channels of itself and of its left and lower neighbours. The same sums as the paper's gather
-/// of N samples in M + 1 rows, at a cost that depends on neither. Each thread keeps 16 bytes a pixel for its band of
-/// rows; the order of additions does not depend on the number of threads.
+/// of N samples in M + 1 rows, at a cost that depends on neither. Each thread takes a band of rows and holds the
+/// channels of about M + 6 of them; the order of additions does not depend on the number of threads.
 class FloorCollector {
   public:
     double collect(const FloorFrame& frame, const LandedSamples& landed, Field<float>& map);
 
   private:
-    struct Band {
-        std::vector<float> channels;
+    /// Scratch of one thread, kept between frames.
+    struct Scratch {
+        std::vector<float> channels, shares;
         std::vector<int> pixel;
-        std::vector<float> shares;
     };
-    std::vector<Band> bands_;
+    class Band;
+    std::vector<Scratch> scratch_;
 };
 
 }  // namespace waterlight

@@ -6,8 +6,8 @@ namespace waterlight {
 
 namespace {
 
-/// Nothing beyond a wall is lit. Where the floor rectangle covers the domain, all of the domain is followed, so that the
-/// ledger accounts for what the walls take.
+/// Nothing beyond a wall is lit. Where the floor rectangle covers the domain, all of the domain is followed, so that
+/// the ledger accounts for what the walls take.
 void limit_to_side(Side side, double from, double extent, bool covered, double& low, double& high) {
     if (side == Side::periodic) return;
     if (covered) {

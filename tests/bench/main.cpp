@@ -1,10 +1,32 @@
 // Benchmarks by Google Benchmark: waterlight_bench --benchmark_filter=floor_two_pass/cpu
 #include <benchmark/benchmark.h>
 
+#include <cstdio>
+
+#include "caustics/floor_vulkan.hpp"
+#include "gpu/error.hpp"
 #include "tests/bench/floor_two_pass.hpp"
 
+namespace {
+
+using namespace waterlight;
+
+/// The Vulkan cases, on the best device there is; none without a device.
+void register_vulkan() {
+    try {
+        auto context = std::make_shared<gpu::Context>();
+        benchmark::AddCustomContext("vulkan_device", context->device().name);
+        bench::register_floor("vulkan", [context](const FloorSettings& s) { return make_floor_vulkan(s, context); });
+    } catch (const gpu::Error& error) {
+        std::fprintf(stderr, "no vulkan cases: %s\n", error.what());
+    }
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-    waterlight::bench::register_floor("cpu", waterlight::make_floor_cpu);
+    bench::register_floor("cpu", make_floor_cpu);
+    register_vulkan();
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
     benchmark::RunSpecifiedBenchmarks();
