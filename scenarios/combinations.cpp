@@ -5,10 +5,10 @@
 #include <cmath>
 #include <set>
 
-#include "scenarios/build.hpp"
 #include "scenarios/nearest.hpp"
 #include "scenarios/quantities.hpp"
 #include "scenarios/reader.hpp"
+#include "scenarios/resolve.hpp"
 
 namespace waterlight {
 

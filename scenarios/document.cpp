@@ -97,8 +97,8 @@ std::string schema_text() {
             continue;
         }
         const std::string unit = row.unit.empty() ? "" : fmt::format(" [{}]", row.unit);
-        text += fmt::format("  {:<44} {}\n  {:<44} {}{}; default {}\n", in_context(row), row.meaning, "", row.allowed,
-                            unit, row.standard);
+        text += fmt::format("  {:<44} {}\n  {:<44} {}{}; {}\n", in_context(row), row.meaning, "", row.allowed, unit,
+                            row.standard);
     }
     text += "\nNumbers that a [[check]] may judge:\n";
     for (const Quantity& q : run_quantities())

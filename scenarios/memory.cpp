@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "scenarios/build.hpp"
+#include "scenarios/resolve.hpp"
 
 namespace waterlight {
 

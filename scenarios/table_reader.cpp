@@ -10,10 +10,33 @@
 
 namespace waterlight {
 
+namespace {
+
+/// The full key that ends in this name, or in one that differs by one edit.
+std::string known_elsewhere(const std::string& name, const std::vector<std::string>& known) {
+    for (int distance = 0; distance <= 1; ++distance)
+        for (const std::string& key : known) {
+            const std::string leaf = key.substr(key.rfind('.') + 1);
+            if (leaf.size() > 3 && std::abs(static_cast<int>(leaf.size()) - static_cast<int>(name.size())) <= 1 &&
+                edit_distance(name, leaf) == distance)
+                return key;
+        }
+    return {};
+}
+
+}  // namespace
+
 std::string ReadContext::place(std::string_view path, const toml::node* node) const {
     if (const Override* override = override_of(path)) return override->place();
     const std::string file = origin.file.string();
-    if (!node || !node->source().begin) return file;
+    if (!node) return file;
+    if (!node->source().begin) {
+        // A section that overrides alone have made.
+        const auto maker = std::find_if(overrides.rbegin(), overrides.rend(), [&](const Override& o) {
+            return o.key.size() > path.size() && o.key.compare(0, path.size(), path) == 0;
+        });
+        return maker == overrides.rend() ? file : maker->place();
+    }
     const toml::source_position at = node->source().begin;
     return fmt::format("{}:{}:{}", file, at.line, at.column);
 }
@@ -120,13 +143,7 @@ void TableReader::read_table(const toml::table* table, const std::string& path, 
 void TableReader::reject_unknown(const std::string& name, const toml::node& node) const {
     const std::string path = path_of(name);
     std::string nearest = nearest_word(name, names_);
-    if (nearest.empty()) {
-        // Known elsewhere: the full key says where.
-        const auto elsewhere = std::find_if(context_.known.begin(), context_.known.end(), [&](const std::string& key) {
-            return key.size() > name.size() && key.substr(key.size() - name.size() - 1) == "." + name;
-        });
-        if (elsewhere != context_.known.end()) nearest = *elsewhere;
-    }
+    if (nearest.empty()) nearest = known_elsewhere(name, context_.known);
     reject(context_.place(path, &node), path, "an unknown key", fmt::format("{}", fmt::join(names_, ", ")), nearest);
 }
 

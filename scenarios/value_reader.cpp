@@ -1,11 +1,11 @@
 #include "scenarios/value_reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace waterlight {
 
@@ -100,6 +100,16 @@ std::string shortened(std::string text) {
     return text + "...";
 }
 
+std::string list_text(const toml::array& list) {
+    constexpr std::size_t longest = 4;
+    const bool nests = std::any_of(list.begin(), list.end(),
+                                   [](const toml::node& element) { return element.is_table() || element.is_array(); });
+    if (nests || list.size() > longest) return fmt::format("a list of {}", list.size());
+    std::vector<std::string> elements;
+    for (const toml::node& element : list) elements.push_back(found_text(element));
+    return fmt::format("[{}]", fmt::join(elements, ", "));
+}
+
 }  // namespace
 
 std::optional<std::string> read_value(const Key& key, const Target& target, const toml::node& node,
@@ -110,19 +120,13 @@ std::optional<std::string> read_value(const Key& key, const Target& target, cons
 
 std::string found_text(const toml::node& node) {
     if (const toml::table* table = node.as_table()) return fmt::format("a table of {}", table->size());
-    const toml::array* list = node.as_array();
-    if (list && (list->size() > 4 || std::any_of(list->begin(), list->end(), [](const toml::node& element) {
-                     return element.is_table() || element.is_array();
-                 })))
-        return fmt::format("a list of {}", list->size());
-    std::ostringstream text;
-    if (list)
-        text << *list;
-    else
-        node.visit([&text](const auto& value) {
-            if constexpr (toml::is_value<decltype(value)>) text << value;
-        });
-    return shortened(text.str());
+    if (const toml::array* list = node.as_array()) return list_text(*list);
+    if (node.is_string()) return fmt::format("\"{}\"", shortened(*node.value<std::string>()));
+    if (node.is_floating_point() && !std::isfinite(*node.value<double>()))
+        return fmt::format("{}, which is not finite", *node.value<double>());
+    if (node.is_number()) return fmt::format("{}", *node.value<double>());
+    if (node.is_boolean()) return *node.value<bool>() ? "true" : "false";
+    return "a date or a time";
 }
 
 }  // namespace waterlight

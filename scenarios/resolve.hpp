@@ -1,0 +1,26 @@
+// What a scenario leaves open, decided; and its settings for the grid and the floor map.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "caustics/floor.hpp"
+#include "scenarios/scenario.hpp"
+#include "sim/grid.hpp"
+
+namespace waterlight {
+
+/// A wave model and why it was taken.
+struct ModelDecision {
+    ModelChoice model = ModelChoice::airy;  ///< never automatic
+    std::vector<std::string> reasons;
+};
+
+ModelDecision resolve_model(const Scenario& scenario);
+/// The sides as stated; those left open are periodic for the model prescribed and for a spectrum or a buoy, else walls.
+Boundary resolve_boundary(const Scenario& scenario);
+Grid grid_of(const Scenario& scenario);
+/// Of the floor's map. The scenario has one.
+FloorSettings floor_settings(const Scenario& scenario);
+
+}  // namespace waterlight

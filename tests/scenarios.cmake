@@ -1,0 +1,7 @@
+# The scenario reader.
+waterlight_test(scenario_test
+    SOURCES
+        unit/scenario_errors_test.cpp
+        unit/scenario_overrides_test.cpp
+        unit/scenario_reader_test.cpp
+    LIBRARIES waterlight::scenarios)
