@@ -8,8 +8,8 @@
 
 namespace waterlight {
 
-/// elevation = a cos(k.x - w t + phase). Travels along direction_deg (counter-clockwise from +x) with the speed that the
-/// model gives it; stands still if frozen.
+/// elevation = a cos(k.x - w t + phase). Travels along direction_deg (counter-clockwise from +x) with the speed that
+/// the model gives it; stands still if frozen.
 struct Sine {
     double amplitude_m = 0.01;
     double wavelength_m = 1;  ///< > 0
@@ -38,5 +38,11 @@ glm::dvec2 wave_vector(const Sine& sine);
 
 /// `omega` is the angular frequency that the model gives to this sine, rad/s (ignored when frozen).
 SurfacePoint evaluate(const Sine& sine, double omega, glm::dvec2 at_m, double time_s);
+
+/// wave vector (kx, ky) of the standing wave on `grid`, rad/m.
+glm::dvec2 wave_vector(const StandingWave& wave, const Grid& grid);
+
+/// `omega` as above.
+SurfacePoint evaluate(const StandingWave& wave, const Grid& grid, double omega, glm::dvec2 at_m, double time_s);
 
 }  // namespace waterlight
