@@ -1,0 +1,14 @@
+// Colour maps whose steps look equal.
+#pragma once
+
+#include "export/png.hpp"
+
+namespace waterlight {
+
+/// viridis: dark to bright, for quantities that start at zero. cool_warm: blue, grey, red, for quantities about zero.
+enum class ColourMap { viridis, cool_warm };
+
+/// The colour at `position` in [0, 1], clamped.
+Rgb colour(ColourMap map, double position);
+
+}  // namespace waterlight

@@ -1,0 +1,31 @@
+// A series of frames in time: numbered .vti files and the .pvd that names them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "export/vti.hpp"
+
+namespace waterlight {
+
+/// FOLDER/NAME.pvd and FOLDER/NAME/NAME_000000.vti, NAME_000001.vti, ...
+class VtiSeries {
+  public:
+    /// `name` is made of letters, digits and underscores. Writes nothing yet.
+    VtiSeries(std::filesystem::path folder, std::string name, Compression compression);
+
+    /// Writes the frame and then the .pvd that names it too, each whole or not at all: whenever the process ends, the
+    /// .pvd names whole files only. Returns the path of the frame. Throws WorldError.
+    std::filesystem::path write(const VtiFrame& frame);
+
+    int frames() const { return frames_; }
+
+  private:
+    std::filesystem::path folder_;
+    std::string name_;
+    Compression compression_;
+    int frames_ = 0;
+    std::string entries_;
+};
+
+}  // namespace waterlight
