@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <tuple>
 
 namespace waterlight::gpu {
 
@@ -79,6 +80,11 @@ std::string_view name(DeviceType type) {
             break;
     }
     return "other";
+}
+
+bool Version::operator<(const Version& other) const {
+    return std::tie(major_number, minor_number, patch_number) <
+           std::tie(other.major_number, other.minor_number, other.patch_number);
 }
 
 std::string to_string(const Version& version) {

@@ -1,7 +1,6 @@
 // The choice of a device, with reasons: a pure function on plain descriptions, so that it can be tested without a GPU.
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -21,7 +20,7 @@ struct Version {
     std::uint32_t major_number = 0;
     std::uint32_t minor_number = 0;
     std::uint32_t patch_number = 0;
-    auto operator<=>(const Version&) const = default;
+    bool operator<(const Version& other) const;
 };
 std::string to_string(const Version& version);
 

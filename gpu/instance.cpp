@@ -15,6 +15,8 @@ constexpr const char* no_loader =
 constexpr const char* no_driver =
     "the Vulkan loader finds no driver (Debian's mesa-vulkan-drivers holds one that needs no GPU)";
 
+constexpr vk::ApplicationInfo application("waterlight", 1, "waterlight", 1, VK_API_VERSION_1_3);
+
 VKAPI_ATTR vk::Bool32 VKAPI_CALL collect(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                                          const VkDebugUtilsMessengerCallbackDataEXT* data, void* messages) {
     Messages& kept = *static_cast<Messages*>(messages);
@@ -73,33 +75,34 @@ vk::raii::Instance create(const vk::raii::Context& loader, const vk::InstanceCre
     }
 }
 
+void open_plain(Instance& instance) {
+    instance.handle = create(instance.loader, vk::InstanceCreateInfo({}, &application));
+}
+
+void open_validated(Instance& instance) {
+    require_validation_layer(instance.loader);
+    const std::vector<const char*> extensions{VK_EXT_DEBUG_UTILS_EXTENSION_NAME,
+                                              VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME};
+    const vk::ValidationFeatureEnableEXT barriers = vk::ValidationFeatureEnableEXT::eSynchronizationValidation;
+    using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
+    using Kind = vk::DebugUtilsMessageTypeFlagBitsEXT;
+    vk::DebugUtilsMessengerCreateInfoEXT listen({}, Severity::eWarning | Severity::eError,
+                                                Kind::eValidation | Kind::ePerformance, collect,
+                                                instance.messages.get());
+    const vk::ValidationFeaturesEXT features(barriers, {}, &listen);
+    vk::InstanceCreateInfo info({}, &application, validation_layer, extensions);
+    info.setPNext(&features);
+    instance.handle = create(instance.loader, info);
+    instance.messenger = {instance.handle, listen};
+}
+
 }  // namespace
 
 Instance make_instance(bool validation) {
     Instance instance{std::make_unique<Messages>(), open_loader()};
-    return attempt("open Vulkan", [&] {
-        const vk::ApplicationInfo application("waterlight", 1, "waterlight", 1, VK_API_VERSION_1_3);
-        if (!validation) {
-            instance.handle = create(instance.loader, vk::InstanceCreateInfo({}, &application));
-            return std::move(instance);
-        }
-        require_validation_layer(instance.loader);
-        const std::vector<const char*> extensions{VK_EXT_DEBUG_UTILS_EXTENSION_NAME,
-                                                  VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME};
-        const vk::ValidationFeatureEnableEXT barriers = vk::ValidationFeatureEnableEXT::eSynchronizationValidation;
-        using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
-        using Kind = vk::DebugUtilsMessageTypeFlagBitsEXT;
-        vk::DebugUtilsMessengerCreateInfoEXT listen({}, Severity::eWarning | Severity::eError,
-                                                    Kind::eValidation | Kind::ePerformance, collect,
-                                                    instance.messages.get());
-        const vk::ValidationFeaturesEXT features(barriers, {}, &listen);
-        vk::InstanceCreateInfo info({}, &application, validation_layer, extensions);
-        info.setPNext(&features);
-        instance.handle = create(instance.loader, info);
-        instance.messenger = {instance.handle, listen};
-        return std::move(instance);
-    });
-}
+    attempt("open Vulkan", [&] { validation ? open_validated(instance) : open_plain(instance); });
+    return instance;
+}  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): it loses sight of the loader's owner
 
 std::optional<std::uint32_t> pass_queue_family(const vk::raii::PhysicalDevice& device) {
     const std::vector<vk::QueueFamilyProperties> families = device.getQueueFamilyProperties();

@@ -9,6 +9,13 @@
 
 #include "gpu/context.hpp"
 
+#ifdef __SANITIZE_ADDRESS__
+// The validation layer and the driver leak memory of their own.
+extern "C" [[gnu::used]] inline const char* __lsan_default_suppressions() {
+    return "leak:libVkLayer_khronos_validation\nleak:libvulkan_lvp\n";
+}
+#endif
+
 namespace waterlight {
 
 /// Opens the best device with the validation layer, and fails the test if the layer has said anything by its end.
@@ -18,6 +25,10 @@ class GpuTest : public testing::Test {
     void SetUp() override {
         const gpu::Selection selection = gpu::survey();
         if (selection.candidates.empty()) GTEST_SKIP() << selection.explanation;
+#ifdef __SANITIZE_ADDRESS__
+        // Once the layer is unloaded the leak checker can no longer tell its leaks from ours: keep it loaded.
+        [[maybe_unused]] static const auto* const kept = new gpu::Context({.validation = true});
+#endif
         open({.validation = true});
     }
 

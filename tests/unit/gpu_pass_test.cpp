@@ -113,7 +113,7 @@ TEST_F(GpuPass, ValidationSpeaksOfAShaderThatAsksForMoreThanItsLayoutGives) {
 TEST_F(GpuPass, AContextDescribesItsDevice) {
     EXPECT_FALSE(context->device().name.empty());
     EXPECT_FALSE(context->device().driver.empty());
-    EXPECT_GE(context->device().api, (Version{1, 3, 0}));
+    EXPECT_FALSE(context->device().api < (Version{1, 3, 0}));
     EXPECT_GT(context->device().memory_b, 0U);
     EXPECT_EQ(context->device().name, context->selection().candidates[*context->selection().chosen].device.name);
 }
