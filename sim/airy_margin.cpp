@@ -1,6 +1,7 @@
 #include "sim/airy_margin.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -11,86 +12,7 @@ namespace waterlight {
 
 namespace {
 
-/// Lines a and b of one place: the slots of the waves towards + and of those towards -.
-struct Directions {
-    float plus, minus;
-};
-
-/// Cosine slots from e's cosine and q's sine.
-Directions split_cosine(float e_cosine, float q_sine) {
-    return {0.5f * (e_cosine + q_sine), 0.5f * (e_cosine - q_sine)};
-}
-
-/// Sine slots from e's sine and q's cosine.
-Directions split_sine(float e_sine, float q_cosine) { return {0.5f * (e_sine - q_cosine), 0.5f * (e_sine + q_cosine)}; }
-
-/// Calls alone(m) for each slot without a partner, and pair(m, n - m) for the others.
-template <class Alone, class Pair>
-void visit_slots(int n, Alone alone, Pair pair) {
-    alone(0);
-    if (n % 2 == 0) alone(n / 2);
-#pragma GCC ivdep
-    for (int m = 1; m < (n + 1) / 2; ++m) pair(m, n - m);
-}
-
-/// One line of e and q to the parts it is the sum of. A slot without a partner serves as its own.
-void split_row(int n, const float* __restrict e, const float* __restrict q, float* __restrict plus,
-               float* __restrict minus) {
-    const auto put = [=](int m, Directions d) { plus[m] = d.plus, minus[m] = d.minus; };
-    visit_slots(
-        n, [=](int m) { put(m, split_cosine(e[m], q[m])); },
-        [=](int m, int partner) {
-            put(m, split_cosine(e[m], q[partner]));
-            put(partner, split_sine(e[partner], q[m]));
-        });
-}
-
-void join_row(int n, const float* __restrict plus, const float* __restrict minus, float* __restrict e,
-              float* __restrict q) {
-    visit_slots(
-        n, [=](int m) { e[m] = plus[m] + minus[m], q[m] = plus[m] - minus[m]; },
-        [=](int m, int partner) {
-            e[m] = plus[m] + minus[m];
-            q[partner] = plus[m] - minus[m];
-            e[partner] = plus[partner] + minus[partner];
-            q[m] = minus[partner] - plus[partner];
-        });
-}
-
 constexpr int columns_per_tile = tile_lines / 2;
-
-/// The same for a tile of columns; lines 2l and 2l + 1 of `tile` are the parts of column l.
-void split_columns(const Field<float>& e, const Field<float>& q, int i, int width, Field<float>& tile) {
-    const auto cosines = [&](int m, int q_row) {
-        const float *from_e = e.row(m) + i, *from_q = q.row(q_row) + i;
-        for (int l = 0; l < width; ++l) {
-            const Directions d = split_cosine(from_e[l], from_q[l]);
-            tile.row(m)[2 * l] = d.plus, tile.row(m)[2 * l + 1] = d.minus;
-        }
-    };
-    const auto sines = [&](int m, int q_row) {
-        const float *from_e = e.row(m) + i, *from_q = q.row(q_row) + i;
-        for (int l = 0; l < width; ++l) {
-            const Directions d = split_sine(from_e[l], from_q[l]);
-            tile.row(m)[2 * l] = d.plus, tile.row(m)[2 * l + 1] = d.minus;
-        }
-    };
-    visit_slots(
-        tile.ny(), [&](int m) { cosines(m, m); }, [&](int m, int partner) { cosines(m, partner), sines(partner, m); });
-}
-
-void join_columns(const Field<float>& tile, int i, int width, Field<float>& e, Field<float>& q) {
-    const auto put = [&](int m, int q_row, float q_sign) {
-        float *to_e = e.row(m) + i, *to_q = q.row(q_row) + i;
-        const float* from = tile.row(m);
-        for (int l = 0; l < width; ++l) {
-            to_e[l] = from[2 * l] + from[2 * l + 1];
-            to_q[l] = q_sign * (from[2 * l] - from[2 * l + 1]);
-        }
-    };
-    visit_slots(
-        tile.ny(), [&](int m) { put(m, m, 1); }, [&](int m, int partner) { put(m, partner, 1), put(partner, m, -1); });
-}
 
 }  // namespace
 
@@ -112,6 +34,7 @@ AbsorbingMargin make_margin(Side side, int n, double spacing_m, double margin_m,
     const double tank_m = (n + 2 * margin.cells) * spacing_m;
     const double fastest = airy_group_velocity(2 * std::numbers::pi / tank_m, water);
     margin.sigma_max = std::log(1e3) * fastest / margin.width_m;
+    margin.turn_m = 0.5 * tank_m / (2 * std::numbers::pi);
     margin.step_s = 0.5 / margin.sigma_max;
     return margin;
 }
@@ -121,8 +44,14 @@ double transmitted_fraction(const AbsorbingMargin& margin, double k, const Water
 }
 
 DirectionalDamping::DirectionalDamping(const AxisBasis& axis, const AbsorbingMargin& margin)
-    : axis_(axis), row_(axis.n, 1), columns_(axis.n, columns_per_tile) {
-    for (int i = 0; i < axis.n; ++i) rates_.push_back(margin.rate(i, axis.n));
+    : n_(axis.n), packing_(axis, false), row_(axis.n, 1), columns_(axis.n, columns_per_tile) {
+    assert(axis.kind == AxisBasis::Kind::fourier);
+    for (int i = 0; i < n_; ++i) rates_.push_back(margin.rate(i, n_));
+    for (int m = 0; m < (n_ + 1) / 2; ++m) {
+        const double angle = 0.5 * std::numbers::pi * std::tanh(axis.wave_number(m) * margin.turn_m);
+        cosine_.push_back(static_cast<float>(std::cos(angle)));
+        sine_.push_back(static_cast<float>(std::sin(angle)));
+    }
 }
 
 std::vector<float> DirectionalDamping::factors(double step_s) const {
@@ -133,43 +62,73 @@ std::vector<float> DirectionalDamping::factors(double step_s) const {
 
 void DirectionalDamping::damp_rows(double step_s, int rows, Field<float>& e, Field<float>& q) const {
     const std::vector<float> factor = factors(step_s);
-    const LinePacking packing(axis_, false);
-    const int n = axis_.n;
 #pragma omp parallel
     {
-        Field<float> parts(n, 2), complex(2 * n, 1);
-        float *plus = parts.row(0), *minus = parts.row(1), *z = complex.data();
+        Field<float> turned(n_, 1), complex(2 * n_, 1);
+        float *b = turned.data(), *z = complex.data();
 #pragma omp for schedule(static)
         for (int j = 0; j < rows; ++j) {
-            split_row(n, e.row(j), q.row(j), plus, minus);
-            pack_rows(packing, plus, minus, z);
+            turn_row(1, q.row(j), b);
+            pack_rows(packing_, e.row(j), b, z);
             row_.to_space(z);
-            for (int i = 0; i < n; ++i) z[2 * i] *= factor[i], z[2 * i + 1] *= factor[i];
+            for (int i = 0; i < n_; ++i) z[2 * i] *= factor[i], z[2 * i + 1] *= factor[i];
             row_.to_slots(z);
-            unpack_slots(packing, z, plus, minus);
-            join_row(n, plus, minus, e.row(j), q.row(j));
+            unpack_slots(packing_, z, e.row(j), b);
+            turn_row(-1, b, q.row(j));
         }
+    }
+}
+
+void DirectionalDamping::turn_row(float direction, const float* __restrict from, float* __restrict to) const {
+    const float* __restrict c = cosine_.data(), * __restrict s = sine_.data();
+    to[0] = from[0];
+    if (n_ % 2 == 0) to[n_ / 2] = from[n_ / 2];
+#pragma GCC ivdep
+    for (int m = 1; m < (n_ + 1) / 2; ++m) {
+        to[m] = c[m] * from[m] + direction * s[m] * from[n_ - m];
+        to[n_ - m] = c[m] * from[n_ - m] - direction * s[m] * from[m];
     }
 }
 
 void DirectionalDamping::damp_columns(double step_s, int columns, Field<float>& e, Field<float>& q) const {
     const std::vector<float> factor = factors(step_s);
-    const LinePacking packing(axis_, false);
-    const int n = axis_.n;
 #pragma omp parallel
     {
-        Field<float> parts(tile_lines, n), complex(tile_lines, n);
+        Field<float> slots(tile_lines, n_), complex(tile_lines, n_);
 #pragma omp for schedule(static)
         for (int i = 0; i < columns; i += columns_per_tile) {
             const int width = std::min(columns_per_tile, columns - i);
-            split_columns(e, q, i, width, parts);
-            pack_columns(packing, parts.data(), tile_lines, tile_lines, complex.data());
+            interleave(e, q, i, width, slots);
+            pack_columns(packing_, slots.data(), tile_lines, tile_lines, complex.data());
             columns_.to_space(complex.data());
-            for (int j = 0; j < n; ++j)
+            for (int j = 0; j < n_; ++j)
                 for (int l = 0; l < tile_lines; ++l) complex.row(j)[l] *= factor[j];
             columns_.to_slots(complex.data());
-            unpack_column_slots(packing, complex.data(), parts.data(), tile_lines, tile_lines);
-            join_columns(parts, i, width, e, q);
+            unpack_column_slots(packing_, complex.data(), slots.data(), tile_lines, tile_lines);
+            separate(slots, i, width, e, q);
+        }
+    }
+}
+
+void DirectionalDamping::interleave(const Field<float>& e, const Field<float>& q, int i, int width,
+                                    Field<float>& slots) const {
+    for (int j = 0; j < n_; ++j) {
+        const int m = std::min(j, n_ - j), partner = j == 0 || 2 * j == n_ ? j : n_ - j;
+        const float c = partner == j ? 1 : cosine_[m], s = partner == j ? 0 : j == m ? sine_[m] : -sine_[m];
+        for (int l = 0; l < width; ++l) {
+            slots.row(j)[2 * l] = e.row(j)[i + l];
+            slots.row(j)[2 * l + 1] = c * q.row(j)[i + l] + s * q.row(partner)[i + l];
+        }
+    }
+}
+
+void DirectionalDamping::separate(const Field<float>& slots, int i, int width, Field<float>& e, Field<float>& q) const {
+    for (int j = 0; j < n_; ++j) {
+        const int m = std::min(j, n_ - j), partner = j == 0 || 2 * j == n_ ? j : n_ - j;
+        const float c = partner == j ? 1 : cosine_[m], s = partner == j ? 0 : j == m ? -sine_[m] : sine_[m];
+        for (int l = 0; l < width; ++l) {
+            e.row(j)[i + l] = slots.row(j)[2 * l];
+            q.row(j)[i + l] = c * slots.row(j)[2 * l + 1] + s * slots.row(partner)[2 * l + 1];
         }
     }
 }
