@@ -31,10 +31,10 @@ struct BuoySea {
 
 double BuoySea::at(double f_hz, double theta_rad) const {
     if (f_hz < frequency_hz.front()) return 0;
-    if (f_hz >= frequency_hz.back())
+    if (f_hz > frequency_hz.back())
         return tail && f_hz <= tail->end_hz ? tail->density(f_hz) * directions.back()(theta_rad) : 0;
     const auto above = std::upper_bound(frequency_hz.begin(), frequency_hz.end(), f_hz);
-    const auto i = static_cast<std::size_t>(above - frequency_hz.begin()) - 1;
+    const auto i = std::min(static_cast<std::size_t>(above - frequency_hz.begin()), frequency_hz.size() - 1) - 1;
     const double t = (f_hz - frequency_hz[i]) / (frequency_hz[i + 1] - frequency_hz[i]);
     return (1 - t) * density[i] * directions[i](theta_rad) + t * density[i + 1] * directions[i + 1](theta_rad);
 }

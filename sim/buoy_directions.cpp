@@ -22,7 +22,7 @@ CircularMoments buoy_moments(double r1, double alpha1_deg, double r2, double alp
     const std::complex<double> c1 = within(std::polar(r1, (270 - alpha1_deg) * radian), 0.98);
     const std::complex<double> c2 = std::polar(r2, 2 * (270 - alpha2_deg) * radian);
     // A distribution exists where |c2 - c1^2| <= 1 - |c1|^2.
-    return {c1, c1 * c1 + within(c2 - c1 * c1, 0.95 * (1 - std::norm(c1)))};
+    return {c1, c1 * c1 + within(c2 - c1 * c1, 0.9 * (1 - std::norm(c1)))};
 }
 
 EntropyDistribution::EntropyDistribution(const CircularMoments& moments) {

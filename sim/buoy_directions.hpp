@@ -16,7 +16,7 @@ struct CircularMoments {
 
 /// Moments from what a buoy reports: r1, r2 in [0, 1]; alpha1, alpha2 in degrees clockwise from north from which the
 /// waves come (x = east, y = north: theta = 270 - alpha). Noise can give moments that no distribution has: c1 is kept
-/// within 0.98, and c2 within 0.95 of the way from c1^2 to where the distribution would be two points.
+/// within 0.98, and c2 within 0.9 of the way from c1^2 to where the distribution would be two points.
 CircularMoments buoy_moments(double r1, double alpha1_deg, double r2, double alpha2_deg);
 
 /// The distribution of largest entropy with given moments: positive, of integral 1 over the circle.
