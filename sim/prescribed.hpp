@@ -15,11 +15,11 @@ namespace waterlight {
 /// A random sea of trochoidal (Gerstner) waves. Seeded directions, lengths and phases; steepness k a summed over all
 /// waves stays below 1, so that the surface is a height field.
 struct GerstnerSettings {
-    int waves = 16;                    ///< >= 1
-    glm::dvec2 wavelength_m{0.5, 4};   ///< shortest and longest; > 0
-    double steepness = 0.4;            ///< sum of k a over the waves, in [0, 1)
-    double direction_deg = 0;          ///< mean direction of travel
-    double spread_deg = 30;            ///< directions are drawn within +- this
+    int waves = 16;                   ///< >= 1
+    glm::dvec2 wavelength_m{0.5, 4};  ///< shortest and longest; > 0
+    double steepness = 0.4;           ///< sum of k a over the waves, in [0, 1)
+    double direction_deg = 0;         ///< mean direction of travel
+    double spread_deg = 30;           ///< directions are drawn within +- this
     std::uint64_t seed = 1;
 };
 
@@ -27,10 +27,12 @@ struct PrescribedSettings {
     Grid grid;
     Boundary boundary;
     Water water;
-    glm::dvec2 slope{0, 0};                     ///< a tilt, added
-    std::vector<Sine> sines;
-    std::optional<GerstnerSettings> gerstner;
-    std::optional<std::filesystem::path> file;  ///< .vti, or a .pvd series interpolated in time; array "elevation"
+    glm::dvec2 slope{0, 0};   ///< a tilt about the origin, added
+    std::vector<Sine> sines;  ///< they travel with the speed of Airy waves and need not fit periodic sides
+    std::optional<GerstnerSettings> gerstner;  ///< moved to the nearest waves that fit periodic sides
+    /// Instead of sines and Gerstner waves: .vti, or a .pvd series, linear in time between its files and still before
+    /// the first and after the last; array "elevation", resampled bilinearly; slopes by central differences.
+    std::optional<std::filesystem::path> file;
 };
 
 /// A surface known at any place and time in double precision.

@@ -7,6 +7,10 @@ waterlight_test(waves_sources_tests
     SOURCES unit/sources_drops.cpp unit/sources_wavemaker.cpp
     LIBRARIES waterlight::sim)
 
+waterlight_test(waves_prescribed_tests
+    SOURCES laws/prescribed_file.cpp laws/prescribed_formula.cpp laws/prescribed_gerstner.cpp
+    LIBRARIES waterlight::sim)
+
 if(TARGET waterlight_bench)
     target_sources(waterlight_bench PRIVATE bench/waves_linear.cpp)
 endif()
