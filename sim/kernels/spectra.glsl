@@ -13,7 +13,8 @@ KERNEL real jonswap_peak(real u, real gamma) {
     return exp(log(gamma) * exp(real(-0.5) * x * x));
 }
 
-// Kitaigorodskii's depth factor, which TMA multiplies it with (Bouws et al. 1985, eq. 5): tanh^2(kh) / (1 + 2kh / sinh 2kh).
+// Kitaigorodskii's depth factor, which TMA multiplies it with (Bouws et al. 1985, eq. 5):
+// tanh^2(kh) / (1 + 2kh / sinh 2kh).
 KERNEL real tma_depth_factor(real kh) {
     real x = min(kh, real(20));
     real t = tanh(x);
