@@ -35,6 +35,7 @@ constexpr std::array of_probe{
     Quantity{"elevation", "m", "at the end"},
     Quantity{"min_elevation", "m", "least over the frames"},
     Quantity{"max_elevation", "m", "greatest over the frames"},
+    Quantity{"rms_elevation", "m", "root mean square over the frames of the second half of the run"},
     Quantity{"irradiance", "W/m2", "on the floor below, at the end"},
     Quantity{"max_irradiance", "W/m2", "on the floor below, greatest over the frames"},
 };
