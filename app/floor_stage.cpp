@@ -1,0 +1,101 @@
+#include "app/floor_stage.hpp"
+
+#include <fstream>
+#include <limits>
+
+#include "caustics/floor_vulkan.hpp"
+#include "caustics/truth.hpp"
+#include "scenarios/resolve.hpp"
+#include "sim/error.hpp"
+
+namespace waterlight {
+
+namespace {
+
+/// The two-pass map, by either back-end.
+class TwoPassStage final : public FloorStage {
+  public:
+    explicit TwoPassStage(std::unique_ptr<FloorMapper> mapper) : mapper_(std::move(mapper)) {}
+    void compute(const Surface& surface, FloorMap& map) override { mapper_->compute(surface, map); }
+    double error_estimate() const override { return std::numeric_limits<double>::quiet_NaN(); }
+
+  private:
+    std::unique_ptr<FloorMapper> mapper_;
+};
+
+/// The converged map: of the formula itself where there is one, else of the smooth surface through the cells.
+class TruthStage final : public FloorStage {
+  public:
+    TruthStage(TruthSettings settings, const SurfaceFormula* formula)
+        : settings_(std::move(settings)), formula_(formula) {}
+
+    void compute(const Surface& surface, FloorMap& map) override {
+        TruthSurface exact = interpolate(surface);
+        if (formula_)
+            exact.at = [this, time_s = surface.time_s](glm::dvec2 at_m) { return formula_->at(at_m, time_s); };
+        const TruthMap truth = truth_map(settings_, exact);
+        map.irradiance = Field<float>(truth.irradiance.nx(), truth.irradiance.ny());
+        std::copy_n(truth.irradiance.data(), truth.irradiance.size(), map.irradiance.data());
+        map.ledger = truth.ledger;
+        error_ = truth.error_estimate;
+    }
+    double error_estimate() const override { return error_; }
+
+  private:
+    TruthSettings settings_;
+    const SurfaceFormula* formula_;
+    double error_ = 0;
+};
+
+bool is_truth(const Scenario& scenario) { return scenario.floor && scenario.floor->method == FloorMethod::truth; }
+
+}  // namespace
+
+std::string processor_name() {
+    std::ifstream info("/proc/cpuinfo");
+    for (std::string line; std::getline(info, line);)
+        if (line.starts_with("model name") && line.find(": ") != std::string::npos)
+            return line.substr(line.find(": ") + 2);
+    return "unknown processor";
+}
+
+BackendDecision choose_backend(const DeviceWish& wish, const Scenario& scenario) {
+    const BackendDecision on_cpu{Backend::cpu, processor_name(), "", nullptr};
+    const auto because = [&](std::string reason) {
+        BackendDecision decision = on_cpu;
+        decision.reason = std::move(reason);
+        return decision;
+    };
+    if (wish.backend == Backend::cpu && !wish.device.empty())
+        throw InputError("--device: found it beside --backend cpu; allowed: --backend vulkan or auto");
+    const bool wants_vulkan = wish.backend == Backend::vulkan || !wish.device.empty() || wish.validation;
+    if (is_truth(scenario)) {
+        if (wants_vulkan) throw InputError("--backend: found vulkan beside method = \"truth\"; allowed: auto or cpu");
+        return because("the truth is computed in double precision on the CPU");
+    }
+    if (wish.backend == Backend::cpu) return because("stated on the command line");
+    if (!wants_vulkan && !gpu::has_real_gpu(gpu::survey()))
+        return because("auto: no Vulkan device is a GPU, and a CPU computes faster by itself than through Vulkan");
+    auto context = std::make_shared<gpu::Context>(gpu::ContextSettings{wish.device, wish.validation});
+    const std::string reason =
+        wants_vulkan ? "stated on the command line" : "auto: " + context->selection().explanation;
+    return {Backend::vulkan, context->device().name, reason, context};
+}
+
+std::unique_ptr<FloorStage> make_floor_stage(const Scenario& scenario, const BuiltModel& model,
+                                             const BackendDecision& decision) {
+    const FloorSettings settings = floor_settings(scenario);
+    if (is_truth(scenario)) {
+        TruthSettings truth;
+        truth.floor = settings;
+        truth.tolerance = scenario.floor->tolerance;
+        truth.most_subsamples = scenario.floor->most_subsamples;
+        truth.subsamples = std::min(truth.subsamples, truth.most_subsamples);
+        return std::make_unique<TruthStage>(truth, model.prescribed ? model.prescribed->formula() : nullptr);
+    }
+    if (decision.backend == Backend::vulkan)
+        return std::make_unique<TwoPassStage>(make_floor_vulkan(settings, decision.context));
+    return std::make_unique<TwoPassStage>(make_floor_cpu(settings));
+}
+
+}  // namespace waterlight

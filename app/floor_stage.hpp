@@ -1,0 +1,52 @@
+// The part of a run that turns surfaces into floor maps: by which method, on which back-end, and why.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "caustics/floor.hpp"
+#include "gpu/context.hpp"
+#include "scenarios/build.hpp"
+
+namespace waterlight {
+
+enum class Backend { automatic, cpu, vulkan };
+
+/// What the command line says about where to compute.
+struct DeviceWish {
+    Backend backend = Backend::automatic;
+    std::string device;       ///< name or index of a Vulkan device; empty for the best
+    bool validation = false;  ///< switch the Vulkan validation layer on
+};
+
+/// A back-end that was chosen, and why.
+struct BackendDecision {
+    Backend backend = Backend::cpu;  ///< never automatic
+    std::string device;              ///< name of the device
+    std::string reason;
+    std::shared_ptr<gpu::Context> context;  ///< where it is vulkan
+};
+
+/// automatic takes vulkan where a GPU is there or a device is named, else cpu: a CPU that plays a GPU is slower than
+/// the CPU itself. Throws InputError where the wish contradicts itself or the scenario, gpu::Error where there is no
+/// device.
+BackendDecision choose_backend(const DeviceWish& wish, const Scenario& scenario);
+
+/// A floor mapper that can say how wrong it is.
+class FloorStage {
+  public:
+    virtual ~FloorStage() = default;
+    virtual void compute(const Surface& surface, FloorMap& map) = 0;
+    /// The method's own estimate of its relative error in the last map; NaN where it has none.
+    virtual double error_estimate() const = 0;
+};
+
+/// `model` must outlive the result: the truth of a formula is computed from the formula.
+std::unique_ptr<FloorStage> make_floor_stage(const Scenario& scenario, const BuiltModel& model,
+                                             const BackendDecision& decision);
+
+/// The name of this machine's processor.
+std::string processor_name();
+
+}  // namespace waterlight

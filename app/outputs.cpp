@@ -1,0 +1,184 @@
+#include "app/outputs.hpp"
+
+#include <fmt/format.h>
+
+#include <regex>
+
+#include "export/exr.hpp"
+#include "export/frames.hpp"
+#include "export/picture.hpp"
+#include "scenarios/resolve.hpp"
+#include "sim/error.hpp"
+
+namespace waterlight {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> probe_columns(const Scenario& scenario) {
+    std::vector<std::string> columns;
+    for (const Probe& probe : scenario.probes) {
+        columns.push_back(fmt::format("{}.elevation_m", probe.name));
+        if (scenario.floor) columns.push_back(fmt::format("{}.irradiance_w_m2", probe.name));
+    }
+    return columns;
+}
+
+Surface copy_of(const Surface& surface, const OutputSection& settings) {
+    const auto copy_if = [](bool wanted, const std::optional<Field<float>>& field) {
+        return wanted && field ? std::optional(field->clone()) : std::nullopt;
+    };
+    Surface copy;
+    copy.grid = surface.grid;
+    copy.boundary = surface.boundary;
+    copy.time_s = surface.time_s;
+    copy.elevation = surface.elevation.clone();
+    const bool fields = settings.wants("vti");
+    if (fields && settings.shows("slope")) {
+        copy.slope_x = surface.slope_x.clone();
+        copy.slope_y = surface.slope_y.clone();
+    }
+    copy.velocity_x = copy_if(fields && settings.shows("velocity"), surface.velocity_x);
+    copy.velocity_y = copy_if(fields && settings.shows("velocity"), surface.velocity_y);
+    copy.depth = copy_if(fields && settings.shows("depth"), surface.depth);
+    return copy;
+}
+
+fs::path made_folder(fs::path folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw WorldError(fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
+    return folder;
+}
+
+/// Names that only a run of ours gives to files.
+constexpr const char* our_names =
+    "(surface|floor)\\.pvd|(surface/surface|floor/floor)_[0-9]{6,}\\.vti|"
+    "images/(elevation|irradiance)_[0-9]{6,}\\.(png|exr)|probes\\.csv";
+
+void remove_stale(const fs::path& folder, const std::set<fs::path>& written) {
+    const std::regex ours(our_names);
+    const auto is_ours = [&](const fs::path& path) {
+        return std::regex_match(path.lexically_relative(folder).generic_string(), ours);
+    };
+    std::vector<fs::path> stale;
+    for (const fs::path& sub : {folder, folder / "surface", folder / "floor", folder / "images"}) {
+        std::error_code ignored;
+        for (const fs::directory_entry& entry : fs::directory_iterator(sub, ignored))
+            if (is_ours(entry.path()) && !written.contains(entry.path())) stale.push_back(entry.path());
+    }
+    for (const fs::path& path : stale) {
+        std::error_code error;
+        fs::remove(path, error);
+        if (error) throw WorldError(fmt::format("cannot remove {}: {}", path.string(), error.message()));
+    }
+}
+
+}  // namespace
+
+std::size_t FrameFiles::bytes() const {
+    std::size_t count = surface.elevation.size() + surface.slope_x.size() + surface.slope_y.size() + irradiance.size();
+    for (const auto* field : {&surface.velocity_x, &surface.velocity_y, &surface.depth})
+        if (*field) count += (*field)->size();
+    return count * sizeof(float);
+}
+
+Outputs::Outputs(fs::path folder, const Scenario& scenario, double still_irradiance)
+    : folder_(made_folder(std::move(folder))),
+      settings_(scenario.output),
+      depth_m_(scenario.domain.depth_m),
+      irradiance_max_(settings_.irradiance_max_w_m2.value_or(still_irradiance > 0 ? 3 * still_irradiance : 1)),
+      surface_series_(folder_, "surface", settings_.compression),
+      floor_series_(folder_, "floor", settings_.compression) {
+    if (scenario.floor) plan_ = floor_settings(scenario).plan;
+    if (scenario.probes.empty()) return;
+    const std::vector<std::string> columns = probe_columns(scenario);
+    probes_.emplace(folder_ / "probes.csv", columns);
+    written_.insert(folder_ / "probes.csv");
+}
+
+void Outputs::push(const Surface& surface, const FloorMap* map, std::vector<double> probes) {
+    FrameFiles frame;
+    frame.surface = copy_of(surface, settings_);
+    if (map) frame.irradiance = map->irradiance.clone();
+    frame.probes = std::move(probes);
+    const std::size_t bytes = frame.bytes();
+    queue_.push(bytes, [this, frame = std::move(frame)] { write(frame); });
+}
+
+void Outputs::write(const FrameFiles& frame) {
+    const double time_s = frame.surface.time_s;
+    if (settings_.wants("vti")) {
+        VtiFrame fields = surface_frame(frame.surface);
+        if (!frame.surface.slope_x.empty())
+            fields.arrays.push_back({"slope", {frame.surface.slope_x.values(), frame.surface.slope_y.values(), {}}});
+        written_.insert(surface_series_.write(fields));
+        written_.insert(folder_ / "surface.pvd");
+        if (plan_) {
+            written_.insert(floor_series_.write(floor_frame(*plan_, depth_m_, time_s, frame.irradiance)));
+            written_.insert(folder_ / "floor.pvd");
+        }
+    }
+    if (settings_.wants("png")) write_pictures(frame);
+    if (settings_.wants("exr")) write_exrs(frame);
+    if (probes_) probes_->append(time_s, frame.probes);
+    ++frame_;
+}
+
+fs::path Outputs::image(const std::string& name, const char* extension) {
+    fs::path path = folder_ / "images" / fmt::format("{}_{:06}.{}", name, frame_, extension);
+    written_.insert(path);
+    return path;
+}
+
+void Outputs::write_pictures(const FrameFiles& frame) {
+    const Grid& grid = frame.surface.grid;
+    const double time_s = frame.surface.time_s, most = settings_.elevation_max_m.value_or(0);
+    const PictureSettings elevation{
+        .map = ColourMap::cool_warm,
+        .range = most > 0 ? ValueRange{-most, most} : symmetric_range(frame.surface.elevation),
+        .quantity = "Elevation of the surface",
+        .unit = "m",
+        .time_s = time_s,
+        .pitch_m = {grid.dx_m, grid.dy_m}};
+    write_picture(image("elevation", "png"), frame.surface.elevation, elevation);
+    if (!plan_) return;
+    const PictureSettings irradiance{.map = ColourMap::viridis,
+                                     .range = {0, irradiance_max_},
+                                     .quantity = "Irradiance on the floor",
+                                     .unit = "W/m\u00b2",
+                                     .time_s = time_s,
+                                     .pitch_m = plan_->pitch_m};
+    write_picture(image("irradiance", "png"), frame.irradiance, irradiance);
+}
+
+void Outputs::write_exrs(const FrameFiles& frame) {
+    const Grid& grid = frame.surface.grid;
+    const double time_s = frame.surface.time_s;
+    write_exr(image("elevation", "exr"), frame.surface.elevation, {"elevation", "m", time_s, {grid.dx_m, grid.dy_m}});
+    if (plan_) write_exr(image("irradiance", "exr"), frame.irradiance, {"irradiance", "W/m2", time_s, plan_->pitch_m});
+}
+
+void Outputs::finish() {
+    queue_.finish();
+    remove_stale(folder_, written_);
+}
+
+std::vector<std::string> Outputs::guide() const {
+    std::vector<std::string> lines;
+    const auto add = [&](const fs::path& path, const std::string& what) {
+        lines.push_back(fmt::format("  {:<40} {}", path.string(), what));
+    };
+    if (settings_.wants("png")) add(folder_ / "images" / "*.png", "pictures: any image viewer");
+    if (settings_.wants("vti")) {
+        add(folder_ / "surface.pvd", "surface in time: ParaView, or python3-vtk9");
+        if (plan_) add(folder_ / "floor.pvd", "floor irradiance in time: ParaView, or python3-vtk9");
+    }
+    if (settings_.wants("exr")) add(folder_ / "images" / "*.exr", "full precision: any OpenEXR viewer");
+    if (probes_) add(folder_ / "probes.csv", "gauges: any spreadsheet");
+    add(folder_ / "report.json", "numbers, checks, times: any text editor");
+    return lines;
+}
+
+}  // namespace waterlight

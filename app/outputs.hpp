@@ -1,0 +1,64 @@
+// The files of a run: which there are, and who writes them.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "caustics/floor.hpp"
+#include "export/probes.hpp"
+#include "export/queue.hpp"
+#include "export/series.hpp"
+#include "scenarios/scenario.hpp"
+#include "sim/surface.hpp"
+
+namespace waterlight {
+
+/// One frame as it is handed over to be written: copies that the run may then forget.
+struct FrameFiles {
+    Surface surface;
+    Field<float> irradiance;  ///< empty without a floor map
+    std::vector<double> probes;
+
+    std::size_t bytes() const;
+};
+
+/// Writes frames into a folder beside the computation. Throws WorldError, then or with a later call.
+class Outputs {
+  public:
+    /// Makes the folder. `still_irradiance` (W/m2) is that of flat water.
+    Outputs(std::filesystem::path folder, const Scenario& scenario, double still_irradiance);
+
+    /// Copies what it needs and returns; waits only while the queue is full.
+    void push(const Surface& surface, const FloorMap* map, std::vector<double> probes);
+    /// Waits until all is written, then removes what an earlier, longer run left under names of ours.
+    void finish();
+
+    double busy_s() const { return queue_.busy_s(); }
+    double blocked_s() const { return queue_.blocked_s(); }
+    /// One line for each kind of file written: where it is and what opens it.
+    std::vector<std::string> guide() const;
+
+  private:
+    void write(const FrameFiles& frame);
+    void write_pictures(const FrameFiles& frame);
+    void write_exrs(const FrameFiles& frame);
+    std::filesystem::path image(const std::string& name, const char* extension);
+
+    std::filesystem::path folder_;
+    OutputSection settings_;
+    std::optional<FloorPlan> plan_;
+    double depth_m_;
+    double irradiance_max_;
+    VtiSeries surface_series_;
+    VtiSeries floor_series_;
+    std::optional<ProbeTable> probes_;
+    int frame_ = 0;
+    std::set<std::filesystem::path> written_;
+    ExportQueue queue_;  ///< last: its thread uses all of the above
+};
+
+}  // namespace waterlight

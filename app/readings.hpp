@@ -1,0 +1,27 @@
+// What is read off each frame: gauges, and statistics of the floor map.
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "caustics/floor.hpp"
+#include "sim/surface.hpp"
+
+namespace waterlight {
+
+/// Elevation (m) at a place in the domain, bilinear between cell centres; beyond the outermost centres repeated where
+/// the side is periodic, else as at the centre.
+double elevation_at(const Surface& surface, glm::dvec2 at_m);
+
+/// Irradiance (W/m2) of the pixel that holds a place on the floor; NaN beyond the map.
+double irradiance_at(const FloorPlan& plan, const Field<float>& irradiance, glm::dvec2 at_m);
+
+struct FloorStatistics {
+    double mean = 0;
+    double min = 0;
+    double max = 0;
+    double cv = 0;  ///< standard deviation / mean; 0 where the mean is 0
+};
+
+FloorStatistics statistics_of(const Field<float>& irradiance);
+
+}  // namespace waterlight

@@ -1,0 +1,111 @@
+#include "app/report.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+#include "app/version.hpp"
+#include "scenarios/resolve.hpp"
+
+namespace waterlight {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// FNV-1a, 64 bits (Fowler, Noll, Vo), over the scenario's text and its overrides.
+std::string hash_of(const Origin& origin) {
+    std::uint64_t hash = 14695981039346656037U;
+    const auto add = [&hash](std::string_view bytes) {
+        for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
+    };
+    add(origin.text);
+    for (const std::string& override : origin.overrides) {
+        add("\n");
+        add(override);
+    }
+    return fmt::format("fnv1a64:{:016x}", hash);
+}
+
+Json ledger_json(const FloorLedger& l, double per) {
+    return {{"incident_w", l.incident_w * per},   {"entered_w", l.entered_w * per},
+            {"reflected_w", l.reflected_w * per}, {"extinguished_w", l.extinguished_w * per},
+            {"floor_w", l.floor_w * per},         {"outside_w", l.outside_w * per},
+            {"lost_w", l.lost_w * per},           {"closure", l.closure()}};
+}
+
+Json floor_json(const FloorRecord& floor, FloorMethod method) {
+    Json json{{"method", method == FloorMethod::truth ? "truth" : "two-pass"},
+              {"mean_irradiance_w_m2", floor.last.mean},
+              {"min_irradiance_w_m2", floor.last.min},
+              {"max_irradiance_w_m2", floor.last.max},
+              {"cv", floor.last.cv}};
+    if (method == FloorMethod::truth)
+        json["error_estimate"] = floor.truth_error;
+    else
+        json["window"] = {{"samples", floor.window.samples}, {"channels", floor.window.channels}};
+    return json;
+}
+
+Json wall_json(const StageTimes& wall) {
+    return {{"waves", wall.waves},
+            {"caustics.floor", wall.floor},
+            {"caustics.beams", 0.0},
+            {"render", 0.0},
+            {"export", wall.export_busy},
+            {"export_waited", wall.export_blocked},
+            {"diagnostics", wall.diagnostics},
+            {"total", wall.total}};
+}
+
+Json checks_json(const std::vector<CheckResult>& checks) {
+    Json json = Json::array();
+    for (const CheckResult& check : checks)
+        json.push_back({{"name", check.name},
+                        {"value", check.value},
+                        {"expected", check.expected},
+                        {"tolerance", check.tolerance},
+                        {"pass", check.pass}});
+    return json;
+}
+
+}  // namespace
+
+nlohmann::ordered_json report_json(const Scenario& scenario, const BackendDecision& backend, const RunRecord& record,
+                                   const std::vector<CheckResult>& checks) {
+    const std::vector<std::string> reasons = resolve_model(scenario).reasons;
+    Json json;
+    json["version"] = version;
+    json["scenario"] = {{"file", scenario.origin.file.string()},
+                        {"title", scenario.title},
+                        {"text", scenario.origin.text},
+                        {"overrides", scenario.origin.overrides},
+                        {"hash", hash_of(scenario.origin)}};
+    json["device"] = {{"name", backend.device}, {"threads", omp_get_max_threads()}};
+    json["backend"] = {{"name", backend.backend == Backend::vulkan ? "vulkan" : "cpu"}, {"reason", backend.reason}};
+    json["model"] = {{"name", record.waves.model}, {"reasons", reasons}};
+    json["frames"] = record.frames;
+    json["steps"] = record.waves.steps;
+    json["simulated_s"] = record.simulated_s;
+    json["wall_s"] = wall_json(record.wall);
+    if (record.sea)
+        json["sea"] = {{"source", record.sea->description},
+                       {"variance_m2", record.sea->coverage.variance_m2},
+                       {"longer_than_domain_fraction", record.sea->coverage.longer_fraction},
+                       {"shorter_than_two_cells_fraction", record.sea->coverage.shorter_fraction},
+                       {"significant_height_carried_m", record.sea->significant_height_m()}};
+    if (record.floor) {
+        json["ledger"] = {{"mean_over_frames", ledger_json(record.floor->sum, 1.0 / record.frames)},
+                          {"last_frame", ledger_json(record.floor->last_ledger, 1)}};
+        json["floor"] = floor_json(*record.floor, scenario.floor->method);
+    }
+    json["mass_drift_m"] = record.waves.mass_drift_m;
+    json["energy_drift"] = record.waves.energy_drift;
+    json["quantities"] = quantities_of(record);
+    json["checks"] = checks_json(checks);
+    return json;
+}
+
+}  // namespace waterlight

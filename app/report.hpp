@@ -1,0 +1,89 @@
+// What a run says about itself: report.json, and the numbers that checks judge.
+#pragma once
+
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/floor_stage.hpp"
+#include "app/readings.hpp"
+#include "sim/wave_model.hpp"
+
+namespace waterlight {
+
+/// Seconds of wall time by stage.
+struct StageTimes {
+    double waves = 0;
+    double floor = 0;
+    double diagnostics = 0;
+    double export_busy = 0;     ///< of the thread that writes
+    double export_blocked = 0;  ///< that computing waited for it
+    double total = 0;
+};
+
+/// One probe over the run.
+struct ProbeRecord {
+    double elevation = 0, min_elevation = 0, max_elevation = 0;  ///< m
+    double late_squares = 0;  ///< sum of elevation squared over the frames of the second half, m2
+    int late_frames = 0;
+    double irradiance = 0, max_irradiance = 0;
+};
+
+/// The floor map over the run.
+struct FloorRecord {
+    FloorStatistics last;
+    FloorWindow window;  ///< of the last frame
+    FloorLedger last_ledger;
+    FloorLedger sum;           ///< over the frames
+    double lost_fraction = 0;  ///< largest
+    double closure = 0;        ///< largest
+    double truth_error = 0;    ///< NaN where the method has none
+};
+
+/// The waves over the run.
+struct WaveRecord {
+    std::string model;
+    std::int64_t steps = 0;
+    WaveDiagnostics first, last;
+    double mass_drift_m = 0;
+    double energy_drift = 0;  ///< NaN where energy comes in or goes out
+};
+
+struct SeaRecord {
+    SeaCoverage coverage;
+    std::string description;
+    double significant_height_m() const;  ///< carried by the grid
+};
+
+struct CheckResult {
+    std::string name;
+    double value = 0;
+    std::string expected;  ///< "= 850", "< 0.001"
+    double expected_value = 0;
+    double tolerance = 0;
+    bool pass = false;
+};
+
+struct RunRecord {
+    int frames = 0;
+    double simulated_s = 0;
+    StageTimes wall;
+    WaveRecord waves;
+    std::optional<FloorRecord> floor;
+    std::optional<SeaRecord> sea;
+    std::map<std::string, ProbeRecord> probes;
+};
+
+/// Value by the names of scenarios/quantities.hpp; what the run does not have is not a number.
+std::map<std::string, double> quantities_of(const RunRecord& record);
+
+/// One result for each bound that a check states. A value that is not a number fails.
+std::vector<CheckResult> judge(const std::vector<Check>& checks, const std::map<std::string, double>& quantities);
+
+/// The report of DESIGN's contract.
+nlohmann::ordered_json report_json(const Scenario& scenario, const BackendDecision& backend, const RunRecord& record,
+                                   const std::vector<CheckResult>& checks);
+
+}  // namespace waterlight

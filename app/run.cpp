@@ -1,0 +1,168 @@
+#include "app/run.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/outputs.hpp"
+#include "app/progress.hpp"
+#include "app/recorder.hpp"
+#include "caustics/kernels/optics.hpp"
+#include "export/report.hpp"
+#include "scenarios/build.hpp"
+#include "scenarios/reader.hpp"
+#include "sim/error.hpp"
+
+namespace waterlight {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+/// Adds the time that work takes to a stage.
+template <class Work>
+void timed(double& stage_s, Work work) {
+    const Clock::time_point start = Clock::now();
+    work();
+    stage_s += std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Irradiance (W/m2) on the floor below flat water.
+double still_irradiance(const Scenario& s) {
+    const double n = s.optics.refractive_index, fresnel = s.optics.fresnel ? 1 : 0;
+    const f64::Refraction r = f64::refract_sun(s.light.direction(), {0, 0}, n, fresnel);
+    const double remaining = f64::beer_lambert(s.optics.extinction_per_m(), s.domain.depth_m * r.path);
+    return s.light.irradiance_w_m2 * r.incident * r.transmittance * remaining;
+}
+
+/// Times of the frames after the first: every_s apart, the last at duration_s.
+std::vector<double> frame_times(const Scenario& s) {
+    constexpr double slack = 1e-9;  // of a frame: a duration that is a multiple but for rounding
+    const double every = s.output.every_s, duration = s.waves.duration_s;
+    const int whole = static_cast<int>(std::floor(duration / every + slack));
+    std::vector<double> times;
+    for (int i = 1; i <= whole; ++i) times.push_back(i * every);
+    if (duration - whole * every > slack * every) times.push_back(duration);
+    return times;
+}
+
+/// The parts of a run, in the order of the data flow.
+class Run {
+  public:
+    Run(const RunOptions& options, fs::path out, const Scenario& scenario)
+        : options_(options),
+          out_(std::move(out)),
+          scenario_(scenario),
+          backend_(choose_backend(options.device, scenario)),
+          waves_(build_model(scenario)),
+          floor_(scenario.floor ? make_floor_stage(scenario, waves_, backend_) : nullptr),
+          recorder_(scenario) {}
+
+    bool go() {
+        const Clock::time_point start = Clock::now();
+        const std::vector<double> times = frame_times(scenario_);
+        // The first frame is computed before a file is written: what is wrong with the scenario shows by then.
+        compute();
+        fs::create_directories(out_);
+        fs::remove(out_ / "report.json");
+        Outputs outputs(out_, scenario_, still_irradiance(scenario_));
+        {
+            Progress progress(stderr, static_cast<int>(times.size()) + 1, options_.quiet);
+            record(0, outputs);
+            double now = 0;
+            for (const double time : times) {
+                timed(wall().waves, [&] { waves_.model->advance(time - now); });
+                now = time;
+                compute();
+                record(now, outputs);
+                progress.show(recorder_.record().frames);
+            }
+            outputs.finish();
+        }
+        wall().export_busy = outputs.busy_s();
+        wall().export_blocked = outputs.blocked_s();
+        wall().total = std::chrono::duration<double>(Clock::now() - start).count();
+        reject_validation_messages();
+        return report(outputs);
+    }
+
+  private:
+    StageTimes& wall() { return recorder_.record().wall; }
+
+    void compute() {
+        timed(wall().waves, [&] { surface_ = &waves_.model->surface(); });
+        if (floor_) timed(wall().floor, [&] { floor_->compute(*surface_, map_); });
+    }
+
+    void record(double time_s, Outputs& outputs) {
+        std::vector<double> probes;
+        timed(wall().diagnostics, [&] {
+            recorder_.add_waves(time_s, waves_.model->diagnostics());
+            if (floor_) recorder_.add_floor(map_, floor_->error_estimate());
+            probes = recorder_.add_probes(*surface_, floor_ ? &map_ : nullptr);
+        });
+        outputs.push(*surface_, floor_ ? &map_ : nullptr, std::move(probes));
+    }
+
+    void reject_validation_messages() const {
+        if (!backend_.context) return;
+        const std::vector<std::string> messages = backend_.context->validation_messages();
+        if (!messages.empty())
+            throw WorldError(fmt::format("the Vulkan validation layer has {} messages; the first: {}", messages.size(),
+                                         messages.front()));
+    }
+
+    bool report(const Outputs& outputs) {
+        RunRecord& record = recorder_.record();
+        record.waves.model = waves_.model->name();
+        record.waves.steps = waves_.model->steps();
+        if (waves_.airy && !waves_.sea.empty()) record.sea = SeaRecord{waves_.airy->sea_coverage(), waves_.sea};
+        const std::vector<CheckResult> checks = judge(scenario_.checks, quantities_of(record));
+        write_json(out_ / "report.json", report_json(scenario_, backend_, record, checks));
+        bool all_pass = true;
+        for (const CheckResult& check : checks) all_pass = all_pass && check.pass;
+        if (!options_.quiet) say(outputs, checks);
+        for (const CheckResult& check : checks)
+            if (!check.pass && options_.quiet) fmt::print(stderr, "{}\n", text_of(check));
+        return all_pass;
+    }
+
+    static std::string text_of(const CheckResult& check) {
+        const std::string within = check.tolerance > 0 ? fmt::format(" within {:.3g}", check.tolerance) : "";
+        return fmt::format("check {}: {} is {:.6g}, expected {}{}", check.pass ? "passed" : "FAILED", check.name,
+                           check.value, check.expected, within);
+    }
+
+    void say(const Outputs& outputs, const std::vector<CheckResult>& checks) {
+        const RunRecord& record = recorder_.record();
+        fmt::print("{}: {} frame{}, {:.4g} s of water in {:.1f} s, model {}, back-end {}\n",
+                   scenario_.title.empty() ? scenario_.origin.file.string() : scenario_.title, record.frames,
+                   record.frames == 1 ? "" : "s", record.simulated_s, record.wall.total, record.waves.model,
+                   backend_.backend == Backend::vulkan ? "vulkan on " + backend_.device : "cpu");
+        for (const CheckResult& check : checks) fmt::print("{}\n", text_of(check));
+        for (const std::string& line : outputs.guide()) fmt::print("{}\n", line);
+    }
+
+    const RunOptions& options_;
+    fs::path out_;
+    const Scenario& scenario_;
+    BackendDecision backend_;
+    BuiltModel waves_;
+    std::unique_ptr<FloorStage> floor_;
+    Recorder recorder_;
+    const Surface* surface_ = nullptr;
+    FloorMap map_;
+};
+
+}  // namespace
+
+bool run_scenario(const RunOptions& options) {
+    const Scenario scenario = read_scenario(options.scenario, options.overrides);
+    const fs::path out = options.out.empty() ? fs::path("out") / options.scenario.stem() : options.out;
+    return Run(options, out, scenario).go();
+}
+
+}  // namespace waterlight

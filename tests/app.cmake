@@ -1,0 +1,24 @@
+find_package(nlohmann_json REQUIRED)
+
+# The program, from its parts to the shipped scenarios.
+waterlight_test(app_record_test SOURCES unit/app_record_test.cpp LIBRARIES waterlight_app)
+
+waterlight_test(program_test
+    SOURCES scenarios/bad_scenarios_test.cpp scenarios/outputs_test.cpp
+    LIBRARIES nlohmann_json::nlohmann_json fmt::fmt)
+waterlight_test(shipped_scenarios_test
+    SOURCES scenarios/shipped_scenarios_test.cpp
+    LIBRARIES waterlight::scenarios waterlight::caustics_vulkan nlohmann_json::nlohmann_json)
+foreach(test IN ITEMS program_test shipped_scenarios_test)
+    target_compile_definitions(${test} PRIVATE
+        WATERLIGHT_PROGRAM="$<TARGET_FILE:waterlight>"
+        WATERLIGHT_SOURCE="${PROJECT_SOURCE_DIR}")
+    add_dependencies(${test} waterlight)
+endforeach()
+
+# The installed package serves a project of someone else.
+add_test(NAME package COMMAND ${CMAKE_COMMAND}
+    -DBUILD=${PROJECT_BINARY_DIR} -DCONSUMER=${CMAKE_CURRENT_LIST_DIR}/package
+    -DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/package
+    -P ${CMAKE_CURRENT_LIST_DIR}/package/install_and_use.cmake)
+set_tests_properties(package PROPERTIES TIMEOUT 600)

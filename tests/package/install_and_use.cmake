@@ -1,0 +1,19 @@
+# Installs the build in BUILD below SCRATCH, then builds and runs CONSUMER against it.
+function(run)
+    execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+    if(NOT result EQUAL 0)
+        message(FATAL_ERROR "${ARGN}\n${output}")
+    endif()
+endfunction()
+
+load_cache(${BUILD} READ_WITH_PREFIX built_ WATERLIGHT_SANITIZE)
+if(built_WATERLIGHT_SANITIZE)
+    set(sanitize -DCMAKE_CXX_FLAGS=-fsanitize=${built_WATERLIGHT_SANITIZE})
+endif()
+file(REMOVE_RECURSE ${SCRATCH})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/prefix)
+run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${SCRATCH}/build -G Ninja -DCMAKE_BUILD_TYPE=Release
+    -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix ${sanitize})
+run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
+run(${SCRATCH}/build/embed)
+run(${SCRATCH}/build/embed_all)

@@ -1,0 +1,163 @@
+// What a run leaves behind, and what it says about itself.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tests/scenarios/program.hpp"
+
+namespace waterlight::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string small =
+    "title = \"small\"\n[domain]\nsize_m = [1.0, 1.0]\ncells = [32, 32]\ndepth_m = 0.5\n"
+    "[waves]\nduration_s = 0.5\n[[waves.standing]]\namplitude_m = 0.01\nhalf_waves_x = 4\n"
+    "[caustics.floor]\npixels = [48, 40]\n[output]\nformats = [\"vti\", \"png\", \"exr\"]\nfields = [\"slope\"]\n"
+    "[[probe]]\nname = \"corner\"\nat_m = [0.0, 0.0]\n"
+    "[[check]]\nquantity = \"waves.mass_drift\"\nbelow = 1e-6\n";
+
+class Outputs : public ::testing::Test {
+  protected:
+    Outcome run(const std::vector<std::string>& more = {}) {
+        std::vector<std::string> arguments{"run", scenario_.string(), "--out", out_.string()};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return run_program(arguments);
+    }
+    nlohmann::json report() const { return nlohmann::json::parse(read_file(out_ / "report.json")); }
+
+    Scratch folder_{testing::UnitTest::GetInstance()->current_test_info()->name()};
+    fs::path scenario_ = folder_.write("small.toml", small);
+    fs::path out_ = folder_ / "out";
+};
+
+TEST_F(Outputs, HasEveryFileOfEveryFrame) {
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit, 0) << outcome.output;
+    for (const char* file : {"surface.pvd", "floor.pvd", "probes.csv", "report.json"})
+        EXPECT_TRUE(fs::exists(out_ / file)) << file;
+    const std::vector<const char*> names{"surface/surface_00000{}.vti",   "floor/floor_00000{}.vti",
+                                         "images/irradiance_00000{}.png", "images/irradiance_00000{}.exr",
+                                         "images/elevation_00000{}.png",  "images/elevation_00000{}.exr"};
+    for (int i = 0; i < 6; ++i)
+        for (const char* name : names) EXPECT_TRUE(fs::exists(out_ / fmt::format(fmt::runtime(name), i))) << name << i;
+    EXPECT_NE(read_file(out_ / "surface/surface_000000.vti").find("\"slope\""), std::string::npos);
+    const std::string probes = read_file(out_ / "probes.csv");
+    EXPECT_EQ(probes.substr(0, probes.find('\n')), "time_s,corner.elevation_m,corner.irradiance_w_m2");
+    EXPECT_EQ(std::count(probes.begin(), probes.end(), '\n'), 7);
+}
+
+TEST_F(Outputs, ReportKeepsItsContract) {
+    ASSERT_EQ(run({"--set", "title=renamed"}).exit, 0);
+    const nlohmann::json r = report();
+    for (const char* key : {"version", "scenario", "device", "backend", "model", "steps", "simulated_s", "wall_s",
+                            "ledger", "mass_drift_m", "energy_drift", "floor", "checks"})
+        EXPECT_TRUE(r.contains(key)) << key;
+    for (const char* stage : {"waves", "caustics.floor", "caustics.beams", "render", "export"})
+        EXPECT_TRUE(r["wall_s"].contains(stage)) << stage;
+    EXPECT_EQ(r["scenario"]["text"], small);
+    EXPECT_EQ(r["scenario"]["overrides"][0], "title=renamed");
+    EXPECT_EQ(r["scenario"]["title"], "renamed");
+    EXPECT_EQ(r["model"]["name"], "airy");
+    EXPECT_FALSE(r["model"]["reasons"].empty());
+    EXPECT_EQ(r["frames"], 6);
+    EXPECT_NEAR(r["simulated_s"].get<double>(), 0.5, 1e-12);
+    EXPECT_EQ(r["checks"][0]["name"], "waves.mass_drift");
+    EXPECT_EQ(r["checks"][0]["pass"], true);
+    const auto ledger = r["ledger"]["last_frame"];
+    EXPECT_LT(ledger["closure"].get<double>(), 1e-4);
+    EXPECT_NEAR(ledger["incident_w"].get<double>(), 1000, 1e-2) << "1 m2 of sun overhead";
+}
+
+TEST_F(Outputs, LastFrameFallsOnTheEndThoughItIsNoMultiple) {
+    ASSERT_EQ(run({"--set", "output.every_s=0.2"}).exit, 0);
+    EXPECT_EQ(report()["frames"], 4);
+    EXPECT_DOUBLE_EQ(report()["simulated_s"], 0.5);
+}
+
+TEST_F(Outputs, AFailedCheckExitsOneAfterAllIsWritten) {
+    const Outcome outcome = run({"--set", "check[0].below=-1"});
+    EXPECT_EQ(outcome.exit, 1);
+    EXPECT_NE(outcome.output.find("check FAILED: waves.mass_drift"), std::string::npos) << outcome.output;
+    EXPECT_EQ(report()["checks"][0]["pass"], false);
+    EXPECT_TRUE(fs::exists(out_ / "floor.pvd"));
+}
+
+TEST_F(Outputs, AShorterRunRemovesFramesOfALongerOneButNothingElse) {
+    ASSERT_EQ(run().exit, 0);
+    std::ofstream(out_ / "images" / "mine.png") << "x";
+    std::ofstream(out_ / "notes.txt") << "x";
+    ASSERT_EQ(run({"--set", "waves.duration_s=0.2", "--set", "output.formats=[\"png\"]"}).exit, 0);
+    EXPECT_TRUE(fs::exists(out_ / "images/irradiance_000002.png"));
+    EXPECT_FALSE(fs::exists(out_ / "images/irradiance_000003.png"));
+    EXPECT_FALSE(fs::exists(out_ / "images/irradiance_000000.exr"));
+    EXPECT_FALSE(fs::exists(out_ / "surface.pvd"));
+    EXPECT_FALSE(fs::exists(out_ / "surface/surface_000000.vti"));
+    EXPECT_TRUE(fs::exists(out_ / "images/mine.png"));
+    EXPECT_TRUE(fs::exists(out_ / "notes.txt"));
+}
+
+TEST_F(Outputs, AFolderThatCannotBeMadeExitsThree) {
+    const Outcome outcome = run_program({"run", scenario_.string(), "--out", (scenario_ / "out").string()});
+    EXPECT_EQ(outcome.exit, 3) << outcome.output;
+    EXPECT_EQ(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 1) << outcome.output;
+}
+
+TEST_F(Outputs, SaysOneLineASecondOrNothing) {
+    EXPECT_EQ(run({"--quiet"}).output, "");
+    const Outcome loud = run();
+    EXPECT_NE(loud.output.find("frame 6 of 6"), std::string::npos) << loud.output;
+    EXPECT_NE(loud.output.find("ParaView"), std::string::npos) << loud.output;
+    EXPECT_EQ(loud.output.find('\r'), std::string::npos) << "a bar is for terminals";
+}
+
+TEST_F(Outputs, DoNotDependOnTheNumberOfThreads) {
+    ASSERT_EQ(run({"--threads", "1"}).exit, 0);
+    const std::string one = read_file(out_ / "images/irradiance_000005.exr");
+    ASSERT_EQ(run({"--threads", "3"}).exit, 0);
+    EXPECT_EQ(read_file(out_ / "images/irradiance_000005.exr"), one);
+}
+
+// From still water the elevation of a standing wave at its antinode is a cos(w t), by the dispersion relation.
+TEST_F(Outputs, ProbesReadTheWave) {
+    ASSERT_EQ(run().exit, 0);
+    const double k = 4 * M_PI, tension = 0.0728 / 1000;
+    const double w = std::sqrt((9.81 * k + tension * k * k * k) * std::tanh(k * 0.5));
+    std::istringstream rows(read_file(out_ / "probes.csv"));
+    std::string row;
+    std::getline(rows, row);
+    // At a wall the probe reads the outermost cell's centre.
+    const double at_centre = 0.01 * std::cos(k * 0.5 / 32);
+    for (int i = 0; std::getline(rows, row); ++i)
+        EXPECT_NEAR(std::stod(row.substr(row.find(',') + 1)), at_centre * std::cos(w * 0.1 * i), 1e-7) << row;
+}
+
+TEST(Program, HelpAndVersionAreThereForEveryCommand) {
+    for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+             {"--help"}, {"run", "--help"}, {"schema", "--help"}, {"devices", "--help"}}) {
+        const Outcome outcome = run_program(arguments);
+        EXPECT_EQ(outcome.exit, 0);
+        EXPECT_NE(outcome.output.find("Example:"), std::string::npos) << outcome.output;
+    }
+    EXPECT_EQ(run_program({"--version"}).output.substr(0, 11), "waterlight ");
+}
+
+TEST(Program, SchemaIsTheReferenceInTheDocs) {
+    EXPECT_EQ(run_program({"schema", "--markdown"}).output,
+              read_file(fs::path(WATERLIGHT_SOURCE) / "docs/scenario-reference.md"))
+        << "run: ./waterlight schema --markdown > docs/scenario-reference.md";
+    const auto json = nlohmann::json::parse(run_program({"schema", "--json"}).output);
+    EXPECT_GT(json["keys"].size(), 50U);
+}
+
+TEST(Program, DevicesNamesTheProcessorAndTheChoice) {
+    const Outcome outcome = run_program({"devices"});
+    EXPECT_EQ(outcome.exit, 0);
+    EXPECT_EQ(outcome.output.substr(0, 3), "cpu");
+    EXPECT_NE(outcome.output.find("--backend auto takes"), std::string::npos) << outcome.output;
+}
+
+}  // namespace
+}  // namespace waterlight::test

@@ -1,0 +1,113 @@
+// Every shipped scenario runs and meets its own checks on both back-ends, Vulkan with its validation layer on. The
+// water moves for as long as the scenario says; only frames are fewer.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "caustics/floor_vulkan.hpp"
+#include "caustics/truth.hpp"
+#include "scenarios/build.hpp"
+#include "scenarios/reader.hpp"
+#include "scenarios/resolve.hpp"
+#include "tests/scenarios/program.hpp"
+
+namespace waterlight::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Shipped {
+    const char* name;
+    const char* every_s;  ///< frames that its checks allow
+};
+
+const fs::path folder = fs::path(WATERLIGHT_SOURCE) / "scenarios";
+
+fs::path path_of(const Shipped& shipped) { return folder / (std::string(shipped.name) + ".toml"); }
+
+/// Whether the measured data is there that the scenario needs.
+bool has_data(const Shipped& shipped) {
+    if (std::string(shipped.name) != "buoy_41010") return true;
+    const char* data = std::getenv("WATERLIGHT_DATA");
+    return data && fs::exists(fs::path(data) / "ndbc/41010.data_spec");
+}
+
+bool has_vulkan() { return gpu::survey().chosen.has_value(); }
+
+const std::vector<Shipped> all{{"pool", "2.0"},         {"rain", "2.0"},         {"standing_wave", "1.0"},
+                               {"wave_basin", "0.875"}, {"gerstner_sea", "1.5"}, {"jonswap_sea", "1.5"},
+                               {"buoy_41010", "2.0"},   {"frozen_sine", "1.0"}};
+
+class ShippedScenario : public ::testing::TestWithParam<Shipped> {
+  protected:
+    void SetUp() override {
+        if (!has_data(GetParam())) GTEST_SKIP() << "needs measured data below $WATERLIGHT_DATA";
+    }
+    static Outcome run(const Scratch& out, std::vector<std::string> more) {
+        std::vector<std::string> arguments{"run",   path_of(GetParam()).string(),
+                                           "--out", (out / "out").string(),
+                                           "--set", std::string("output.every_s=") + GetParam().every_s};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return run_program(arguments);
+    }
+};
+
+TEST_P(ShippedScenario, MeetsItsChecksOnTheCpu) {
+    const Scratch out(std::string(GetParam().name) + " cpu");
+    const Outcome outcome = run(out, {"--backend", "cpu"});
+    EXPECT_EQ(outcome.exit, 0) << outcome.output;
+    EXPECT_NE(outcome.output.find("check passed"), std::string::npos) << outcome.output;
+    EXPECT_TRUE(fs::exists(out / "out/surface.pvd"));
+    EXPECT_TRUE(fs::exists(out / "out/floor.pvd"));
+    EXPECT_TRUE(fs::exists(out / "out/images/irradiance_000000.png"));
+}
+
+TEST_P(ShippedScenario, MeetsItsChecksOnVulkanWithValidationSilent) {
+    if (!has_vulkan()) GTEST_SKIP() << "needs a Vulkan device";
+    const Scratch out(std::string(GetParam().name) + " vulkan");
+    std::vector<std::string> arguments{"--backend", "vulkan", "--validate", "--set", "output.formats=[]"};
+    // Its checks judge the truth, which is computed on the CPU only.
+    const bool is_truth = std::string(GetParam().name) == "frozen_sine";
+    if (is_truth)
+        for (const char* set : {"caustics.floor={method=\"two-pass\", pixels=[512,128]}", "check=[]"})
+            arguments.insert(arguments.end(), {"--set", set});
+    const Outcome outcome = run(out, arguments);
+    EXPECT_EQ(outcome.exit, 0) << outcome.output;
+    const auto report = nlohmann::json::parse(read_file(out / "out/report.json"));
+    EXPECT_EQ(report["backend"]["name"], "vulkan");
+}
+
+TEST_P(ShippedScenario, MapsOfBothBackEndsAgree) {
+    if (!has_vulkan()) GTEST_SKIP() << "needs a Vulkan device";
+    Scenario scenario = read_scenario(path_of(GetParam()));
+    scenario.floor->pixels = glm::min(scenario.floor->pixels, glm::ivec2(512));
+    const BuiltModel waves = build_model(scenario);
+    waves.model->advance(0.5 * scenario.waves.duration_s);
+    const FloorSettings settings = floor_settings(scenario);
+    const auto context = std::make_shared<gpu::Context>(gpu::ContextSettings{.device = "", .validation = true});
+    FloorMap cpu, vulkan;
+    make_floor_cpu(settings)->compute(waves.model->surface(), cpu);
+    make_floor_vulkan(settings, context)->compute(waves.model->surface(), vulkan);
+    Field<double> reference(cpu.irradiance.nx(), cpu.irradiance.ny());
+    std::copy_n(cpu.irradiance.data(), cpu.irradiance.size(), reference.data());
+    EXPECT_LT(relative_rmse(vulkan.irradiance, reference), 1e-4);
+    EXPECT_TRUE(context->validation_messages().empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ShippedScenario, ::testing::ValuesIn(all),
+                         [](const auto& shipped) { return shipped.param.name; });
+
+TEST(ShippedScenarios, AreAllTestedHere) {
+    std::set<std::string> here, there;
+    for (const Shipped& shipped : all) here.insert(shipped.name);
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == ".toml") there.insert(entry.path().stem().string());
+    EXPECT_EQ(here, there);
+}
+
+}  // namespace
+}  // namespace waterlight::test

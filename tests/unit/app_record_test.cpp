@@ -1,0 +1,98 @@
+// What a run reads off its frames, and how checks judge it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "app/readings.hpp"
+#include "app/report.hpp"
+
+namespace waterlight::test {
+namespace {
+
+Surface plane(Boundary boundary, double slope_x, double slope_y) {
+    Surface s(make_grid(8, 4, 4.0, 2.0), boundary);
+    for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 8; ++i)
+            s.elevation(i, j) = static_cast<float>(slope_x * s.grid.x_m(i) + slope_y * s.grid.y_m(j));
+    return s;
+}
+
+TEST(Readings, ElevationIsExactOnAPlaneBetweenCellCentres) {
+    const Surface s = plane({Side::wall, Side::wall}, 0.25, -0.5);
+    for (const glm::dvec2 at : {glm::dvec2(1.0, 1.0), glm::dvec2(0.25, 0.25), glm::dvec2(3.7, 1.3)})
+        EXPECT_NEAR(elevation_at(s, at), 0.25 * at.x - 0.5 * at.y, 1e-6);
+}
+
+TEST(Readings, BeyondTheOutermostCentreAWallKeepsTheValueAndAPeriodicSideRepeats) {
+    const Surface walls = plane({Side::wall, Side::wall}, 1, 0), periodic = plane({Side::periodic, Side::wall}, 1, 0);
+    EXPECT_FLOAT_EQ(elevation_at(walls, {0, 1}), 0.25);
+    EXPECT_FLOAT_EQ(elevation_at(walls, {4, 1}), 3.75);
+    EXPECT_FLOAT_EQ(elevation_at(periodic, {0, 1}), 2.0) << "half of both ends";
+    EXPECT_FLOAT_EQ(elevation_at(periodic, {4, 1}), 2.0);
+}
+
+TEST(Readings, IrradianceIsThatOfThePixel) {
+    Field<float> map(4, 2);
+    map(3, 1) = 7;
+    const FloorPlan plan = cover(make_grid(8, 4, 4.0, 2.0), 4, 2);
+    EXPECT_EQ(irradiance_at(plan, map, {3.5, 1.5}), 7);
+    EXPECT_EQ(irradiance_at(plan, map, {4.0, 2.0}), 7);
+    EXPECT_EQ(irradiance_at(plan, map, {2.9, 1.5}), 0);
+    EXPECT_TRUE(std::isnan(irradiance_at(plan, map, {4.1, 1.5})));
+}
+
+TEST(Readings, Statistics) {
+    Field<float> map(2, 2);
+    map(0, 0) = 1;
+    map(1, 0) = 3;
+    map(0, 1) = 1;
+    map(1, 1) = 3;
+    const FloorStatistics s = statistics_of(map);
+    EXPECT_DOUBLE_EQ(s.mean, 2);
+    EXPECT_DOUBLE_EQ(s.min, 1);
+    EXPECT_DOUBLE_EQ(s.max, 3);
+    EXPECT_DOUBLE_EQ(s.cv, 0.5);
+}
+
+bool passes(const Check& check, double value) { return judge({check}, {{check.quantity, value}}).at(0).pass; }
+
+Check equal(double value, double tolerance, double relative_tolerance) {
+    Check check;
+    check.quantity = "q";
+    check.equals = value;
+    check.tolerance = tolerance;
+    check.relative_tolerance = relative_tolerance;
+    return check;
+}
+
+Check between(std::optional<double> above, std::optional<double> below) {
+    Check check;
+    check.quantity = "q";
+    check.above = above;
+    check.below = below;
+    return check;
+}
+
+TEST(Checks, EqualsTakesTheLargerTolerance) {
+    const Check check = equal(10, 0.1, 0.05);
+    EXPECT_TRUE(passes(check, 10.5));
+    EXPECT_TRUE(passes(check, 9.5));
+    EXPECT_FALSE(passes(check, 10.6));
+}
+
+TEST(Checks, BoundsAreStrictAndEachHasItsResult) {
+    EXPECT_FALSE(passes(between({}, 1), 1.0));
+    EXPECT_TRUE(passes(between(1, {}), 1.1));
+    EXPECT_EQ(judge({between(1, 2)}, {{"q", 1.5}}).size(), 2U);
+}
+
+TEST(Checks, NotANumberAndWhatIsMissingFail) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(passes(between({}, 1), nan));
+    EXPECT_FALSE(passes(equal(1, 1, 0), nan));
+    EXPECT_FALSE(judge({between(0, {})}, {}).at(0).pass);
+}
+
+}  // namespace
+}  // namespace waterlight::test
