@@ -1,8 +1,10 @@
 #include "app/floor_stage.hpp"
 
+#include <cmath>
 #include <fstream>
 #include <limits>
 
+#include "app/readings.hpp"
 #include "caustics/floor_vulkan.hpp"
 #include "caustics/truth.hpp"
 #include "scenarios/resolve.hpp"
@@ -15,11 +17,16 @@ namespace {
 /// The two-pass map, by either back-end.
 class TwoPassStage final : public FloorStage {
   public:
-    explicit TwoPassStage(std::unique_ptr<FloorMapper> mapper) : mapper_(std::move(mapper)) {}
+    TwoPassStage(const FloorPlan& plan, std::unique_ptr<FloorMapper> mapper)
+        : plan_(plan), mapper_(std::move(mapper)) {}
     void compute(const Surface& surface, FloorMap& map) override { mapper_->compute(surface, map); }
     double error_estimate() const override { return std::numeric_limits<double>::quiet_NaN(); }
+    double irradiance_at(const Surface&, const FloorMap& map, glm::dvec2 at_m) const override {
+        return pixel_at(plan_, map.irradiance, at_m);
+    }
 
   private:
+    FloorPlan plan_;
     std::unique_ptr<FloorMapper> mapper_;
 };
 
@@ -30,10 +37,7 @@ class TruthStage final : public FloorStage {
         : settings_(std::move(settings)), formula_(formula) {}
 
     void compute(const Surface& surface, FloorMap& map) override {
-        TruthSurface exact = interpolate(surface);
-        if (formula_)
-            exact.at = [this, time_s = surface.time_s](glm::dvec2 at_m) { return formula_->at(at_m, time_s); };
-        const TruthMap truth = truth_map(settings_, exact);
+        const TruthMap truth = truth_map(settings_, exact(surface));
         map.irradiance = Field<float>(truth.irradiance.nx(), truth.irradiance.ny());
         std::copy_n(truth.irradiance.data(), truth.irradiance.size(), map.irradiance.data());
         map.ledger = truth.ledger;
@@ -41,7 +45,20 @@ class TruthStage final : public FloorStage {
     }
     double error_estimate() const override { return error_; }
 
+    double irradiance_at(const Surface& surface, const FloorMap& map, glm::dvec2 at_m) const override {
+        const FloorPlan& plan = settings_.floor.plan;
+        if (std::isnan(pixel_at(plan, map.irradiance, at_m))) return std::numeric_limits<double>::quiet_NaN();
+        return truth_at(settings_.floor, exact(surface), at_m, std::min(plan.pitch_m.x, plan.pitch_m.y));
+    }
+
   private:
+    TruthSurface exact(const Surface& surface) const {
+        TruthSurface smooth = interpolate(surface);
+        if (formula_)
+            smooth.at = [this, time_s = surface.time_s](glm::dvec2 at_m) { return formula_->at(at_m, time_s); };
+        return smooth;
+    }
+
     TruthSettings settings_;
     const SurfaceFormula* formula_;
     double error_ = 0;
@@ -94,8 +111,8 @@ std::unique_ptr<FloorStage> make_floor_stage(const Scenario& scenario, const Bui
         return std::make_unique<TruthStage>(truth, model.prescribed ? model.prescribed->formula() : nullptr);
     }
     if (decision.backend == Backend::vulkan)
-        return std::make_unique<TwoPassStage>(make_floor_vulkan(settings, decision.context));
-    return std::make_unique<TwoPassStage>(make_floor_cpu(settings));
+        return std::make_unique<TwoPassStage>(settings.plan, make_floor_vulkan(settings, decision.context));
+    return std::make_unique<TwoPassStage>(settings.plan, make_floor_cpu(settings));
 }
 
 }  // namespace waterlight

@@ -40,6 +40,9 @@ class FloorStage {
     virtual void compute(const Surface& surface, FloorMap& map) = 0;
     /// The method's own estimate of its relative error in the last map; NaN where it has none.
     virtual double error_estimate() const = 0;
+    /// Irradiance (W/m2) at a place on the floor of the map just computed from `surface`: of the pixel that holds it,
+    /// by the truth of the place itself; NaN beyond the map.
+    virtual double irradiance_at(const Surface& surface, const FloorMap& map, glm::dvec2 at_m) const = 0;
 };
 
 /// `model` must outlive the result: the truth of a formula is computed from the formula.

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <regex>
 
 #include "export/exr.hpp"
 #include "export/frames.hpp"
+#include "export/grey16.hpp"
 #include "export/picture.hpp"
 #include "scenarios/resolve.hpp"
 #include "sim/error.hpp"
@@ -55,7 +57,7 @@ fs::path made_folder(fs::path folder) {
 /// Names that only a run of ours gives to files.
 constexpr const char* our_names =
     "(surface|floor)\\.pvd|(surface/surface|floor/floor)_[0-9]{6,}\\.vti|"
-    "images/(elevation|irradiance)_[0-9]{6,}\\.(png|exr)|probes\\.csv";
+    "images/(elevation|irradiance)(16)?_[0-9]{6,}\\.(png|exr)|probes\\.csv";
 
 void remove_stale(const fs::path& folder, const std::set<fs::path>& written) {
     const std::regex ours(our_names);
@@ -121,6 +123,7 @@ void Outputs::write(const FrameFiles& frame) {
         }
     }
     if (settings_.wants("png")) write_pictures(frame);
+    if (settings_.wants("png16")) write_greys(frame);
     if (settings_.wants("exr")) write_exrs(frame);
     if (probes_) probes_->append(time_s, frame.probes);
     ++frame_;
@@ -134,14 +137,13 @@ fs::path Outputs::image(const std::string& name, const char* extension) {
 
 void Outputs::write_pictures(const FrameFiles& frame) {
     const Grid& grid = frame.surface.grid;
-    const double time_s = frame.surface.time_s, most = settings_.elevation_max_m.value_or(0);
-    const PictureSettings elevation{
-        .map = ColourMap::cool_warm,
-        .range = most > 0 ? ValueRange{-most, most} : symmetric_range(frame.surface.elevation),
-        .quantity = "Elevation of the surface",
-        .unit = "m",
-        .time_s = time_s,
-        .pitch_m = {grid.dx_m, grid.dy_m}};
+    const double time_s = frame.surface.time_s;
+    const PictureSettings elevation{.map = ColourMap::cool_warm,
+                                    .range = elevation_range(frame.surface.elevation),
+                                    .quantity = "Elevation of the surface",
+                                    .unit = "m",
+                                    .time_s = time_s,
+                                    .pitch_m = {grid.dx_m, grid.dy_m}};
     write_picture(image("elevation", "png"), frame.surface.elevation, elevation);
     if (!plan_) return;
     const PictureSettings irradiance{.map = ColourMap::viridis,
@@ -151,6 +153,21 @@ void Outputs::write_pictures(const FrameFiles& frame) {
                                      .time_s = time_s,
                                      .pitch_m = plan_->pitch_m};
     write_picture(image("irradiance", "png"), frame.irradiance, irradiance);
+}
+
+ValueRange Outputs::elevation_range(const Field<float>& elevation) {
+    if (settings_.elevation_max_m) return {-*settings_.elevation_max_m, *settings_.elevation_max_m};
+    const bool flat = std::ranges::all_of(elevation.values(), [](float e) { return e == 0; });
+    const ValueRange now = symmetric_range(elevation);
+    if (flat && !elevation_range_) return now;
+    if (!elevation_range_ || now.high > elevation_range_->high) elevation_range_ = now;
+    return *elevation_range_;
+}
+
+void Outputs::write_greys(const FrameFiles& frame) {
+    write_grey16(image("elevation16", "png"), frame.surface.elevation, elevation_range(frame.surface.elevation),
+                 "elevation", "m");
+    if (plan_) write_grey16(image("irradiance16", "png"), frame.irradiance, {0, irradiance_max_}, "irradiance", "W/m2");
 }
 
 void Outputs::write_exrs(const FrameFiles& frame) {
@@ -170,7 +187,8 @@ std::vector<std::string> Outputs::guide() const {
     const auto add = [&](const fs::path& path, const std::string& what) {
         lines.push_back(fmt::format("  {:<40} {}", path.string(), what));
     };
-    if (settings_.wants("png")) add(folder_ / "images" / "*.png", "pictures: any image viewer");
+    if (settings_.wants("png") || settings_.wants("png16"))
+        add(folder_ / "images" / "*.png", "pictures: any image viewer");
     if (settings_.wants("vti")) {
         add(folder_ / "surface.pvd", "surface in time: ParaView, or python3-vtk9");
         if (plan_) add(folder_ / "floor.pvd", "floor irradiance in time: ParaView, or python3-vtk9");

@@ -11,6 +11,7 @@
 #include "caustics/floor.hpp"
 #include "export/probes.hpp"
 #include "export/queue.hpp"
+#include "export/range.hpp"
 #include "export/series.hpp"
 #include "scenarios/scenario.hpp"
 #include "sim/surface.hpp"
@@ -45,7 +46,10 @@ class Outputs {
   private:
     void write(const FrameFiles& frame);
     void write_pictures(const FrameFiles& frame);
+    void write_greys(const FrameFiles& frame);
     void write_exrs(const FrameFiles& frame);
+    /// Of the pictures: as the scenario says, else the largest so far, so that colours do not flicker.
+    ValueRange elevation_range(const Field<float>& elevation);
     std::filesystem::path image(const std::string& name, const char* extension);
 
     std::filesystem::path folder_;
@@ -53,6 +57,7 @@ class Outputs {
     std::optional<FloorPlan> plan_;
     double depth_m_;
     double irradiance_max_;
+    std::optional<ValueRange> elevation_range_;
     VtiSeries surface_series_;
     VtiSeries floor_series_;
     std::optional<ProbeTable> probes_;

@@ -37,7 +37,7 @@ double elevation_at(const Surface& surface, glm::dvec2 at_m) {
     return along_x(y.low) * (1 - y.weight) + along_x(y.high) * y.weight;
 }
 
-double irradiance_at(const FloorPlan& plan, const Field<float>& irradiance, glm::dvec2 at_m) {
+double pixel_at(const FloorPlan& plan, const Field<float>& irradiance, glm::dvec2 at_m) {
     const glm::dvec2 pixel = plan.pixel(at_m);
     const bool on_map = pixel.x >= 0 && pixel.x <= plan.width && pixel.y >= 0 && pixel.y <= plan.height;
     if (!on_map) return std::numeric_limits<double>::quiet_NaN();

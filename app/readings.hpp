@@ -13,7 +13,7 @@ namespace waterlight {
 double elevation_at(const Surface& surface, glm::dvec2 at_m);
 
 /// Irradiance (W/m2) of the pixel that holds a place on the floor; NaN beyond the map.
-double irradiance_at(const FloorPlan& plan, const Field<float>& irradiance, glm::dvec2 at_m);
+double pixel_at(const FloorPlan& plan, const Field<float>& irradiance, glm::dvec2 at_m);
 
 struct FloorStatistics {
     double mean = 0;

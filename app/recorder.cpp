@@ -43,19 +43,22 @@ void add(FloorLedger& sum, const FloorLedger& l) {
 
 Recorder::Recorder(const Scenario& scenario)
     : scenario_(scenario), conserved_from_s_(silent_from(scenario)), conserved_j_(none) {
-    if (scenario.floor) plan_ = floor_settings(scenario).plan;
     record_.waves.energy_drift = none;
+}
+
+void Recorder::add_frame(double time_s) {
+    ++record_.frames;
+    record_.simulated_s = time_s;
 }
 
 void Recorder::add_waves(double time_s, const WaveDiagnostics& now) {
     WaveRecord& waves = record_.waves;
-    if (record_.frames == 0) waves.first = now;
+    if (!watched_) waves.first = now;
+    watched_ = true;
     waves.last = now;
     const glm::dvec2 size = scenario_.domain.size_m;
     const double level_m = (now.volume_m3 - waves.first.volume_m3) / (size.x * size.y);
     waves.mass_drift_m = std::max(waves.mass_drift_m, std::abs(level_m));
-    ++record_.frames;
-    record_.simulated_s = time_s;
     if (time_s <= conserved_from_s_) return;
     if (std::isnan(conserved_j_)) {
         conserved_j_ = now.energy_j;
@@ -68,7 +71,6 @@ void Recorder::add_waves(double time_s, const WaveDiagnostics& now) {
 void Recorder::add_floor(const FloorMap& map, double error_estimate) {
     if (!record_.floor) record_.floor.emplace();
     FloorRecord& floor = *record_.floor;
-    floor.last = statistics_of(map.irradiance);
     floor.window = map.window;
     floor.last_ledger = map.ledger;
     add(floor.sum, map.ledger);
@@ -78,7 +80,9 @@ void Recorder::add_floor(const FloorMap& map, double error_estimate) {
     floor.truth_error = error_estimate;
 }
 
-std::vector<double> Recorder::add_probes(const Surface& surface, const FloorMap* map) {
+void Recorder::add_statistics(const FloorMap& map) { record_.floor->last = statistics_of(map.irradiance); }
+
+std::vector<double> Recorder::add_probes(const Surface& surface, const std::function<double(glm::dvec2)>& irradiance) {
     std::vector<double> columns;
     for (const Probe& probe : scenario_.probes) {
         const auto [entry, is_first] = record_.probes.try_emplace(probe.name);
@@ -91,9 +95,9 @@ std::vector<double> Recorder::add_probes(const Surface& surface, const FloorMap*
             ++p.late_frames;
         }
         columns.push_back(p.elevation);
-        p.irradiance = map ? irradiance_at(plan_, map->irradiance, probe.at_m) : none;
+        p.irradiance = irradiance ? irradiance(probe.at_m) : none;
         p.max_irradiance = is_first ? p.irradiance : std::max(p.max_irradiance, p.irradiance);
-        if (map) columns.push_back(p.irradiance);
+        if (irradiance) columns.push_back(p.irradiance);
     }
     return columns;
 }

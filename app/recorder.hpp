@@ -1,6 +1,7 @@
 // Follows a run frame by frame and keeps what its report needs.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "app/report.hpp"
@@ -12,19 +13,24 @@ class Recorder {
   public:
     explicit Recorder(const Scenario& scenario);
 
+    void add_frame(double time_s);
+    /// Of some frames, the first among them: what is conserved is watched.
     void add_waves(double time_s, const WaveDiagnostics& diagnostics);
     void add_floor(const FloorMap& map, double error_estimate);
-    /// Reads the probes; returns the columns of probes.csv.
-    std::vector<double> add_probes(const Surface& surface, const FloorMap* map);
+    /// Of the last map.
+    void add_statistics(const FloorMap& map);
+    /// Reads the probes; returns the columns of probes.csv. `irradiance` (W/m2 at a place on the floor) is empty where
+    /// no map is made.
+    std::vector<double> add_probes(const Surface& surface, const std::function<double(glm::dvec2)>& irradiance);
 
     RunRecord& record() { return record_; }
 
   private:
     const Scenario& scenario_;
-    FloorPlan plan_;
     RunRecord record_;
     double conserved_from_s_;  ///< energy neither comes in nor goes out after this; infinite where it always may
     double conserved_j_;       ///< the energy then; NaN before
+    bool watched_ = false;     ///< add_waves() was called
 };
 
 }  // namespace waterlight

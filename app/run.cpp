@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "app/outputs.hpp"
@@ -71,13 +72,15 @@ class Run {
         Outputs outputs(out_, scenario_, still_irradiance(scenario_));
         {
             Progress progress(stderr, static_cast<int>(times.size()) + 1, options_.quiet);
-            record(0, outputs);
+            const int frames = static_cast<int>(times.size()) + 1;
+            watch_every_ = (frames + watched_frames - 1) / watched_frames;
+            record(0, frames == 1, outputs);
             double now = 0;
             for (const double time : times) {
                 timed(wall().waves, [&] { waves_.model->advance(time - now); });
                 now = time;
                 compute();
-                record(now, outputs);
+                record(now, time == times.back(), outputs);
                 progress.show(recorder_.record().frames);
             }
             outputs.finish();
@@ -97,12 +100,19 @@ class Run {
         if (floor_) timed(wall().floor, [&] { floor_->compute(*surface_, map_); });
     }
 
-    void record(double time_s, Outputs& outputs) {
+    void record(double time_s, bool last, Outputs& outputs) {
         std::vector<double> probes;
         timed(wall().diagnostics, [&] {
-            recorder_.add_waves(time_s, waves_.model->diagnostics());
-            if (floor_) recorder_.add_floor(map_, floor_->error_estimate());
-            probes = recorder_.add_probes(*surface_, floor_ ? &map_ : nullptr);
+            const bool watched = last || recorder_.record().frames % watch_every_ == 0;
+            if (watched) recorder_.add_waves(time_s, waves_.model->diagnostics());
+            recorder_.add_frame(time_s);
+            std::function<double(glm::dvec2)> irradiance;
+            if (floor_) {
+                recorder_.add_floor(map_, floor_->error_estimate());
+                if (last) recorder_.add_statistics(map_);
+                irradiance = [this](glm::dvec2 at_m) { return floor_->irradiance_at(*surface_, map_, at_m); };
+            }
+            probes = recorder_.add_probes(*surface_, irradiance);
         });
         outputs.push(*surface_, floor_ ? &map_ : nullptr, std::move(probes));
     }
@@ -146,6 +156,9 @@ class Run {
         for (const std::string& line : outputs.guide()) fmt::print("{}\n", line);
     }
 
+    /// Diagnostics of a model may cost as much as many steps: so many frames of a run are watched, and the last.
+    static constexpr int watched_frames = 32;
+
     const RunOptions& options_;
     fs::path out_;
     const Scenario& scenario_;
@@ -155,6 +168,7 @@ class Run {
     Recorder recorder_;
     const Surface* surface_ = nullptr;
     FloorMap map_;
+    int watch_every_ = 1;
 };
 
 }  // namespace
