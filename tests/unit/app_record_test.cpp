@@ -36,10 +36,10 @@ TEST(Readings, IrradianceIsThatOfThePixel) {
     Field<float> map(4, 2);
     map(3, 1) = 7;
     const FloorPlan plan = cover(make_grid(8, 4, 4.0, 2.0), 4, 2);
-    EXPECT_EQ(irradiance_at(plan, map, {3.5, 1.5}), 7);
-    EXPECT_EQ(irradiance_at(plan, map, {4.0, 2.0}), 7);
-    EXPECT_EQ(irradiance_at(plan, map, {2.9, 1.5}), 0);
-    EXPECT_TRUE(std::isnan(irradiance_at(plan, map, {4.1, 1.5})));
+    EXPECT_EQ(pixel_at(plan, map, {3.5, 1.5}), 7);
+    EXPECT_EQ(pixel_at(plan, map, {4.0, 2.0}), 7);
+    EXPECT_EQ(pixel_at(plan, map, {2.9, 1.5}), 0);
+    EXPECT_TRUE(std::isnan(pixel_at(plan, map, {4.1, 1.5})));
 }
 
 TEST(Readings, Statistics) {
