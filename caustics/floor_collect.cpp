@@ -143,6 +143,7 @@ double FloorCollector::collect(const FloorFrame& frame, const LandedSamples& lan
         const int threads = omp_get_num_threads(), me = omp_get_thread_num();
         const int begin = static_cast<int>(height * me / threads), end = static_cast<int>(height * (me + 1) / threads);
         Band band(frame, scratch_[me], begin, end);
+        band.sum_below(to_come[0], map, row_sums);
         for (int j = 0; j < frame.rows.count; ++j) {
             const float base = static_cast<float>(frame.rows.first + j);
             const bool apart = base + landed.highest[j] + 1 < static_cast<float>(begin) ||

@@ -16,7 +16,7 @@ function(waterlight_shaders target)
         set(source ${CMAKE_CURRENT_SOURCE_DIR}/${shader})
         set(stem ${folder}/${name})
         add_custom_command(
-            OUTPUT ${stem}.hpp
+            OUTPUT ${stem}.unoptimised.spv ${stem}.hpp
             COMMAND ${GLSLANG_VALIDATOR} --quiet --target-env vulkan1.3 -I${PROJECT_SOURCE_DIR}
                 --depfile ${stem}.d -o ${stem}.unoptimised.spv ${source}
             COMMAND ${SPIRV_OPT} -O --target-env=vulkan1.3 ${stem}.unoptimised.spv -o ${stem}.spv

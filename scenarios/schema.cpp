@@ -238,13 +238,14 @@ void describe_floor(Visitor& v, FloorSection& s) {
 
 void describe_output(Visitor& v, OutputSection& s) {
     v.value({"every_s", "s", "Time between frames.", positive}, &s.every_s);
-    v.value({"formats", "", "What to write; png16 is 16-bit grey with its scale in the file."}, Words{{"vti", "png", "png16", "exr"}, &s.formats});
+    v.value({"formats", "", "What to write; png16 is 16-bit grey with its scale in the file."},
+            Words{{"vti", "png", "png16", "exr"}, &s.formats});
     v.value({"fields", "", "Arrays of surface/*.vti beside elevation, where the model has them."},
             Words{{"elevation", "slope", "velocity", "depth"}, &s.fields});
     v.value({"compression", "", "Of the .vti arrays."}, choice(s.compression, {"none", "lz4", "zlib"}));
-    v.value(
-        {"elevation_max_m", "m", "Elevation at the ends of the pictures' colours.", positive, false, "the largest so far"},
-        &s.elevation_max_m);
+    v.value({"elevation_max_m", "m", "Elevation at the ends of the pictures' colours.", positive, false,
+             "the largest so far"},
+            &s.elevation_max_m);
     v.value({"irradiance_max_w_m2", "W/m2", "Irradiance at the bright end of the pictures' colours.", positive, false,
              "three times that below flat water"},
             &s.irradiance_max_w_m2);

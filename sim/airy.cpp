@@ -56,6 +56,7 @@ class Airy final : public AiryModel {
   private:
     void add_sources(double from_s, double to_s);
     void damp(double step_s);
+    double potential_energy_j(const WaveDiagnostics& sums) const;
 
     AirySettings settings_;
     AbsorbingMargin margin_x_, margin_y_;
@@ -149,10 +150,22 @@ const Surface& Airy::surface() {
     return surface_;
 }
 
+/// Of the surface itself and not of the modes that it is made from, so that a drift of either shows.
+double Airy::potential_energy_j(const WaveDiagnostics& sums) const {
+    const Water& water = settings_.water;
+    const double area = modes_.area_m2(), level = sums.volume_m3 / area;
+    return 0.5 * area *
+           (water.density_kg_m3 * water.gravity_m_s2 * (sums.variance_m2 + level * level) +
+            water.surface_tension_n_m * sums.slope_variance);
+}
+
 WaveDiagnostics Airy::diagnostics() {
-    WaveDiagnostics diagnostics = surface_sums(surface());
-    diagnostics.energy_j = modes_energy_j(modes_, state_);
-    return diagnostics;
+    WaveDiagnostics sums = surface_sums(surface());
+    evaluate_modes(modes_, state_, time_s_, slots_, &across_);
+    const bool whole_tank = !damping_x_ && !damping_y_;
+    sums.energy_j =
+        (whole_tank ? potential_energy_j(sums) : plane_energy_j(modes_, slots_)) + plane_energy_j(modes_, across_);
+    return sums;
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ void evaluate_modes(const AiryModes& modes, const AiryState& state, double time_
     }
 }
 
-double modes_energy_j(const AiryModes& modes, const AiryState& state) {
+double plane_energy_j(const AiryModes& modes, const Field<float>& plane) {
     const Water& water = modes.water;
     const double tension = water.surface_tension_n_m / water.density_kg_m3;
     double energy = 0;
@@ -72,8 +72,8 @@ double modes_energy_j(const AiryModes& modes, const AiryState& state) {
         double row = 0;
         for (int i = 0; i < modes.x.n; ++i) {
             const double kx = modes.x.wave_number(modes.x.wave_of(i));
-            const double a = state.a.row(j)[i], b = state.b.row(j)[i];
-            row += (water.gravity_m_s2 + tension * (kx * kx + ky * ky)) * (a * a + b * b) * modes.x.mean_square(i);
+            const double e = plane.row(j)[i];
+            row += (water.gravity_m_s2 + tension * (kx * kx + ky * ky)) * e * e * modes.x.mean_square(i);
         }
         energy += row * modes.y.mean_square(j);
     }

@@ -38,8 +38,8 @@ struct AiryState {
 void evaluate_modes(const AiryModes& modes, const AiryState& state, double time_s, Field<float>& elevation,
                     Field<float>* quadrature);
 
-/// Potential, capillary and kinetic energy of the whole tank, J. Each mode holds (density / 2) (g + s k^2) (a^2 + b^2)
-/// times its mean square and the area: kinetic energy is rate^2 / (k tanh kh) = (g + s k^2) (rate / w)^2.
-double modes_energy_j(const AiryModes& modes, const AiryState& state);
+/// (density / 2) (g + s k^2) e^2 summed over the modes of the whole tank, J: of a plane of elevations its potential and
+/// capillary energy; of a plane of rate / w the kinetic, since rate^2 / (k tanh kh) = (g + s k^2) (rate / w)^2.
+double plane_energy_j(const AiryModes& modes, const Field<float>& plane);
 
 }  // namespace waterlight

@@ -10,10 +10,10 @@ namespace waterlight {
 
 /// Integrals over the domain, accumulated in double.
 struct WaveDiagnostics {
-    double volume_m3 = 0;        ///< integral of elevation
-    double energy_j = 0;         ///< potential + kinetic + capillary; NaN where the model has no dynamics
-    double variance_m2 = 0;      ///< m0: mean of elevation squared, about its mean
-    double slope_variance = 0;   ///< mean of slope_x^2 + slope_y^2
+    double volume_m3 = 0;       ///< integral of elevation
+    double energy_j = 0;        ///< potential + kinetic + capillary; NaN where the model has no dynamics
+    double variance_m2 = 0;     ///< m0: mean of elevation squared, about its mean
+    double slope_variance = 0;  ///< mean of slope_x^2 + slope_y^2
     double max_abs_elevation_m = 0;
 };
 

@@ -143,6 +143,21 @@ TEST(FloorMap, AWallShadowsTheFloorBehindIt) {
     EXPECT_LT(map.ledger.closure(), 1e-6);
 }
 
+TEST(FloorMap, NoLightIsUnaccountedForBetweenWallsWhereverTheSunStands) {
+    // Slanting light shifts the samples against the map by more rows than a narrow window spans.
+    const Grid grid = make_grid(64, 48, 4, 3);
+    for (const Formula& water : {Formula(flat), egg_crate(.002, .5)}) {
+        for (double azimuth = 0; azimuth < 360; azimuth += 20) {
+            for (const Boundary sides : {walls, Boundary{Side::absorbing, Side::wall}, periodic}) {
+                FloorSettings s = settings_for(grid, 128, 96, 30);
+                s.sun.azimuth_deg = azimuth;
+                const FloorMap map = map_of(s, sample(grid, sides, water));
+                EXPECT_LT(map.ledger.closure(), 1e-6) << azimuth;
+            }
+        }
+    }
+}
+
 TEST(FloorMap, NoSunNoLightAndNoNaN) {
     const Grid grid = make_grid(32, 32, 1, 1);
     for (const double elevation : {0.0, -10.0, 1e-9}) {
