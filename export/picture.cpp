@@ -37,16 +37,21 @@ class Painter {
           scale_(static_cast<float>(palette::map_steps / (range.high - range.low))) {}
 
     /// The palette step of each value of a row, and whether some lie beyond the range.
-    void paint(const float* values, int count, std::uint8_t* to) {
-        float least = high_, greatest = low_;
+    void paint(const float* __restrict values, int count, std::uint8_t* __restrict to) {
+        const float low = low_, scale = scale_, last = palette::map_steps - 1;
+#pragma GCC ivdep
         for (int i = 0; i < count; ++i) {
             const float v = values[i];
-            least = v < least ? v : least;
-            greatest = v > greatest ? v : greatest;
-            const float step = (v - low_) * scale_;
-            const float last = palette::map_steps - 1;
+            const float step = (v - low) * scale;
             const float clamped = step > 0 ? (step < last ? step : last) : 0;
-            to[i] = v == v ? static_cast<std::uint8_t>(static_cast<int>(clamped)) : palette::missing;
+            const int shown = v == v ? static_cast<int>(clamped) : palette::missing;
+            to[i] = static_cast<std::uint8_t>(shown);
+        }
+        float least = high_, greatest = low_;
+#pragma omp simd reduction(min : least) reduction(max : greatest)
+        for (int i = 0; i < count; ++i) {
+            least = values[i] < least ? values[i] : least;
+            greatest = values[i] > greatest ? values[i] : greatest;
         }
         clipped_.below |= least < low_;
         clipped_.above |= greatest > high_;
@@ -71,7 +76,11 @@ void enlarge(const std::vector<std::uint8_t>& steps, const Field<float>& field, 
     for (int y = 0; y < area.height; ++y) {
         const std::uint8_t* from = steps.data() + static_cast<std::ptrdiff_t>(row[area.height - 1 - y]) * field.nx();
         std::uint8_t* to = canvas.row(area.top + y) + area.left;
-        for (int x = 0; x < area.width; ++x) to[x] = from[column[x]];
+        if (area.width == field.nx()) {
+            std::copy_n(from, area.width, to);
+        } else {
+            for (int x = 0; x < area.width; ++x) to[x] = from[column[x]];
+        }
     }
 }
 

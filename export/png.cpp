@@ -32,10 +32,11 @@ std::string filtered(std::span<const std::uint8_t> pixels, std::size_t row_bytes
     const std::size_t rows = pixels.size() / row_bytes;
     std::string out(pixels.size() + rows, '\0');
     for (std::size_t j = 0; j < rows; ++j) {
-        const std::uint8_t* from = pixels.data() + j * row_bytes;
-        auto* to = reinterpret_cast<std::uint8_t*>(out.data()) + j * (row_bytes + 1);
-        *to++ = 1;
+        const std::uint8_t* __restrict from = pixels.data() + j * row_bytes;
+        auto* __restrict to = reinterpret_cast<std::uint8_t*>(out.data()) + j * (row_bytes + 1) + 1;
+        to[-1] = 1;
         for (std::size_t i = 0; i < pixel_bytes; ++i) to[i] = from[i];
+#pragma GCC ivdep
         for (std::size_t i = pixel_bytes; i < row_bytes; ++i) {
             to[i] = static_cast<std::uint8_t>(from[i] - from[i - pixel_bytes]);
         }
