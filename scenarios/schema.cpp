@@ -10,7 +10,7 @@ namespace {
 constexpr Range positive{.low = 0, .excludes_low = true};
 constexpr Range not_negative{.low = 0};
 constexpr Range circle{.low = -360, .high = 360};
-constexpr Range cell_counts{.low = 4, .high = 1 << 20};
+constexpr Range cell_counts{.low = 1, .high = 1 << 20};
 constexpr Range pixel_counts{.low = 1, .high = 1 << 20};
 constexpr Range window_sizes{.low = 1, .high = 9999};
 

@@ -56,7 +56,7 @@ using Target =
     std::variant<double*, std::optional<double>*, int*, std::uint64_t*, bool*, std::string*,
                  std::optional<std::string>*, glm::dvec2*, std::optional<glm::dvec2>*, glm::ivec2*, Choice, Words>;
 
-/// "number > 0", "two integers, each in [4, 1048576]", "one of wall, periodic".
+/// "number > 0", "two integers, each in [1, 1048576]", "one of wall, periodic".
 std::string allowed(const Key& key, const Target& target);
 /// The present value as TOML; empty for an optional without a value.
 std::string value_text(const Target& target);

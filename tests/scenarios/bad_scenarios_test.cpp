@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"ZeroCells",
             replaced(good, "cells = [16, 16]", "cells = [0, 16]"),
             {},
-            "FILE:3:9: domain.cells: found [0, 16]; allowed: two integers, each in [4, 1048576]"},
+            "FILE:3:9: domain.cells: found [0, 16]; allowed: two integers, each in [1, 1048576]"},
         Bad{"MissingFile", good + "[waves]\nfile = \"sea.vti\"\n", {}, "FILE:8:8: waves.file: found no file "},
         Bad{"MalformedToml", good + "[light\n", {}, "FILE:7:"},
         Bad{"UnsupportedCombination",

@@ -25,6 +25,8 @@ struct Shipped {
     const char* every_s;  ///< frames that its checks allow
 };
 
+void PrintTo(const Shipped& shipped, std::ostream* out) { *out << shipped.name; }
+
 const fs::path folder = fs::path(WATERLIGHT_SOURCE) / "scenarios";
 
 fs::path path_of(const Shipped& shipped) { return folder / (std::string(shipped.name) + ".toml"); }
