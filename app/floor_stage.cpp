@@ -54,8 +54,13 @@ class TruthStage final : public FloorStage {
   private:
     TruthSurface exact(const Surface& surface) const {
         TruthSurface smooth = interpolate(surface);
-        if (formula_)
-            smooth.at = [this, time_s = surface.time_s](glm::dvec2 at_m) { return formula_->at(at_m, time_s); };
+        if (!formula_) return smooth;
+        smooth.at = [this, &surface](glm::dvec2 at_m) {
+            const Grid& g = surface.grid;
+            const bool still = beyond(surface.boundary.x, g.x0_m, g.width_m(), at_m.x) ||
+                               beyond(surface.boundary.y, g.y0_m, g.height_m(), at_m.y);
+            return still ? SurfacePoint{} : formula_->at(at_m, surface.time_s);
+        };
         return smooth;
     }
 

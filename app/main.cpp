@@ -25,6 +25,7 @@ enum ExitCode { done = 0, check_failed = 1, wrong_input = 2, world_failed = 3 };
 
 struct Arguments {
     RunOptions run;
+    std::string backend = "auto";
     int threads = 0;
     bool json = false;
     bool markdown = false;
@@ -42,11 +43,8 @@ void add_run(CLI::App& program, Arguments& args) {
         ->allow_extra_args(false)
         ->take_all()
         ->delimiter('\0');
-    const std::map<std::string, Backend> backends{
-        {"auto", Backend::automatic}, {"cpu", Backend::cpu}, {"vulkan", Backend::vulkan}};
-    run->add_option("--backend", args.run.device.backend, "Where to compute: auto, cpu or vulkan")
-        ->transform(CLI::Transformer(backends).description(""))
-        ->check(CLI::IsMember(std::vector<Backend>{Backend::automatic, Backend::cpu, Backend::vulkan}).description(""))
+    run->add_option("--backend", args.backend, "Where to compute: auto, cpu or vulkan")
+        ->check(CLI::IsMember({"auto", "cpu", "vulkan"}).description(""))
         ->type_name("BACKEND");
     run->add_option("--device", args.run.device.device, "Vulkan device, by index or part of its name")
         ->type_name("NAME");
@@ -65,7 +63,10 @@ void add_schema(CLI::App& program, Arguments& args) {
     schema->add_flag("--markdown", args.markdown, "For documentation")->excludes(json);
 }
 
-int execute(const CLI::App& program, const Arguments& args) {
+int execute(const CLI::App& program, Arguments& args) {
+    const std::map<std::string, Backend> backends{
+        {"auto", Backend::automatic}, {"cpu", Backend::cpu}, {"vulkan", Backend::vulkan}};
+    args.run.device.backend = backends.at(args.backend);
     if (program.got_subcommand("schema")) {
         fmt::print("{}", args.json ? schema_json() : args.markdown ? schema_markdown() : schema_text());
         return done;

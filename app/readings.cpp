@@ -1,40 +1,34 @@
 #include "app/readings.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "caustics/truth.hpp"
+#include "sim/error.hpp"
+
 namespace waterlight {
 
-namespace {
+double elevation_at(const Surface& surface, glm::dvec2 at_m) { return interpolate(surface).at(at_m).elevation_m; }
 
-struct Neighbours {
-    int low = 0;
-    int high = 0;
-    double weight = 0;  ///< of high
-};
-
-/// The two cells whose centres enclose `place` (in cells, 0.5 is the first centre).
-Neighbours enclose(double place, int count, Side side) {
-    const double below = std::floor(place - 0.5);
-    const auto at = [&](double cell) {
-        const int i = static_cast<int>(std::clamp(cell, -1.0, static_cast<double>(count)));
-        return side == Side::periodic ? (i + count) % count : std::clamp(i, 0, count - 1);
-    };
-    return {at(below), at(below + 1), place - 0.5 - below};
-}
-
-}  // namespace
-
-double elevation_at(const Surface& surface, glm::dvec2 at_m) {
-    const Grid& grid = surface.grid;
-    const Neighbours x = enclose((at_m.x - grid.x0_m) / grid.dx_m, grid.nx, surface.boundary.x);
-    const Neighbours y = enclose((at_m.y - grid.y0_m) / grid.dy_m, grid.ny, surface.boundary.y);
-    const auto along_x = [&](int j) {
-        const float* row = surface.elevation.row(j);
-        return row[x.low] * (1 - x.weight) + row[x.high] * x.weight;
-    };
-    return along_x(y.low) * (1 - y.weight) + along_x(y.high) * y.weight;
+void require_finite(const Surface& surface) {
+    const int nx = surface.grid.nx;
+    for (int j = 0; j < surface.grid.ny; ++j) {
+        const float *e = surface.elevation.row(j), *x = surface.slope_x.row(j), *y = surface.slope_y.row(j);
+        // Zero but for what is not finite.
+        float sum = 0;
+#pragma omp simd reduction(+ : sum)
+        for (int i = 0; i < nx; ++i) sum += (e[i] - e[i]) + (x[i] - x[i]) + (y[i] - y[i]);
+        if (sum == 0) continue;
+        const auto bad = [&](int i) { return !std::isfinite(e[i]) || !std::isfinite(x[i]) || !std::isfinite(y[i]); };
+        int i = 0;
+        while (!bad(i)) ++i;
+        throw WorldError(
+            fmt::format("the surface is not finite at t = {} s, first in cell ({}, {}): elevation {}, slope ({}, {})",
+                        surface.time_s, i, j, e[i], x[i], y[i]));
+    }
 }
 
 double pixel_at(const FloorPlan& plan, const Field<float>& irradiance, glm::dvec2 at_m) {

@@ -62,9 +62,9 @@ void Recorder::add_waves(double time_s, const WaveDiagnostics& now) {
     if (time_s <= conserved_from_s_) return;
     if (std::isnan(conserved_j_)) {
         conserved_j_ = now.energy_j;
-        if (conserved_j_ > 0) waves.energy_drift = 0;
-    } else {
-        waves.energy_drift = std::max(waves.energy_drift, std::abs(now.energy_j / conserved_j_ - 1));
+    } else if (conserved_j_ > 0) {
+        const double drift = std::abs(now.energy_j / conserved_j_ - 1);
+        waves.energy_drift = std::isnan(waves.energy_drift) ? drift : std::max(waves.energy_drift, drift);
     }
 }
 

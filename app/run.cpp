@@ -9,6 +9,7 @@
 
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
+#include "app/readings.hpp"
 #include "app/recorder.hpp"
 #include "caustics/kernels/optics.hpp"
 #include "export/report.hpp"
@@ -50,6 +51,16 @@ std::vector<double> frame_times(const Scenario& s) {
     return times;
 }
 
+/// What a part of the program refuses, with the place of the section that asked for it.
+template <class Work>
+auto for_section(const Scenario& s, std::string_view section, Work work) {
+    try {
+        return work();
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: {}: {}", s.origin.place(section), section, error.what()));
+    }
+}
+
 /// The parts of a run, in the order of the data flow.
 class Run {
   public:
@@ -58,7 +69,7 @@ class Run {
           out_(std::move(out)),
           scenario_(scenario),
           backend_(choose_backend(options.device, scenario)),
-          waves_(build_model(scenario)),
+          waves_(for_section(scenario, "waves", [&] { return build_model(scenario); })),
           floor_(scenario.floor ? make_floor_stage(scenario, waves_, backend_) : nullptr),
           recorder_(scenario) {}
 
@@ -66,7 +77,7 @@ class Run {
         const Clock::time_point start = Clock::now();
         const std::vector<double> times = frame_times(scenario_);
         // The first frame is computed before a file is written: what is wrong with the scenario shows by then.
-        compute();
+        for_section(scenario_, "caustics.floor", [this] { compute(); });
         fs::create_directories(out_);
         fs::remove(out_ / "report.json");
         Outputs outputs(out_, scenario_, still_irradiance(scenario_));
@@ -79,7 +90,7 @@ class Run {
             for (const double time : times) {
                 timed(wall().waves, [&] { waves_.model->advance(time - now); });
                 now = time;
-                compute();
+                compute_further(now);
                 record(now, time == times.back(), outputs);
                 progress.show(recorder_.record().frames);
             }
@@ -97,7 +108,17 @@ class Run {
 
     void compute() {
         timed(wall().waves, [&] { surface_ = &waves_.model->surface(); });
+        timed(wall().diagnostics, [&] { require_finite(*surface_); });
         if (floor_) timed(wall().floor, [&] { floor_->compute(*surface_, map_); });
+    }
+
+    /// What is refused once files are written is a failure of the run.
+    void compute_further(double time_s) {
+        try {
+            compute();
+        } catch (const InputError& error) {
+            throw WorldError(fmt::format("at t = {} s: {}", time_s, error.what()));
+        }
     }
 
     void record(double time_s, bool last, Outputs& outputs) {

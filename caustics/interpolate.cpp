@@ -54,10 +54,6 @@ class Continued {
     glm::dvec2 climb_;
 };
 
-bool beyond(Side side, double from, double extent, double x) {
-    return side == Side::absorbing && (x < from || x > from + extent);
-}
-
 SurfacePoint at(const Surface& s, glm::dvec2 p) {
     const Grid& g = s.grid;
     if (beyond(s.boundary.x, g.x0_m, g.width_m(), p.x) || beyond(s.boundary.y, g.y0_m, g.height_m(), p.y)) return {};

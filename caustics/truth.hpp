@@ -23,6 +23,11 @@ struct TruthSurface {
 /// elevation. Beyond its sides: repeated, mirrored, or still. `surface` must outlive the result.
 TruthSurface interpolate(const Surface& surface);
 
+/// Whether x lies beyond an absorbing side of [from, from + extent], where the water is still.
+inline bool beyond(Side side, double from, double extent, double x) {
+    return side == Side::absorbing && (x < from || x > from + extent);
+}
+
 struct TruthSettings {
     FloorSettings floor;       ///< `window` is not used: no light is lost
     int subsamples = 4;        ///< triangle pairs per pixel and axis to begin with, >= 1

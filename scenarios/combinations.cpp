@@ -18,6 +18,8 @@ constexpr std::string_view model_names[] = {"auto", "linear", "airy", "prescribe
 
 std::string_view name_of(ModelChoice model) { return model_names[static_cast<int>(model)]; }
 
+constexpr double most_margins = 4;  // beyond which a margin costs more than it absorbs
+
 bool repeats(const Boundary& b) { return b.x == Side::periodic && b.y == Side::periodic; }
 bool absorbs(const Boundary& b) { return b.x == Side::absorbing || b.y == Side::absorbing; }
 
@@ -53,6 +55,10 @@ void check_initial_state(const Scenario& s) {
         s.origin.reject("waves.boundary",
                         std::string("a side that does not repeat beside waves.") + (w.buoy ? "buoy" : "spectrum"),
                         "periodic sides");
+    const double longest_m = std::max(s.domain.size_m.x, s.domain.size_m.y);
+    if (w.margin_m && *w.margin_m > most_margins * longest_m)
+        s.origin.reject("waves.margin_m", fmt::format("{}", *w.margin_m),
+                        fmt::format("at most {} times the longer side, {} m", most_margins, most_margins * longest_m));
     if (w.margin_m && !absorbs(boundary))
         s.origin.reject("waves.margin_m", "it without an absorbing side", "waves.boundary with an absorbing side");
     const bool has_formula = !w.sines.empty() || w.slope || w.gerstner;
@@ -120,11 +126,9 @@ void check_floor(const Scenario& s) {
     for (const std::string key : {"caustics.floor.tolerance", "caustics.floor.most_subsamples"})
         if (!truth && s.origin.places.contains(key))
             s.origin.reject(key, "it beside method = \"two-pass\"", "method truth");
-    if (!floor.window) return;
-    for (const auto& [name, size] : {std::pair{"samples", floor.window->samples}, {"channels", floor.window->channels}})
-        if (size % 2 == 0)
-            s.origin.reject(std::string("caustics.floor.window.") + name, fmt::format("{}", size),
-                            "an odd integer >= 1");
+    if (floor.window && floor.window->samples % 2 == 0)
+        s.origin.reject("caustics.floor.window.samples", fmt::format("{}", floor.window->samples),
+                        "an odd integer >= 1");
 }
 
 void check_probes(const Scenario& s) {

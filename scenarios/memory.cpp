@@ -44,7 +44,12 @@ double number_in_file(const char* path, const std::string& label) {
 
 MemoryEstimate estimate_memory(const Scenario& scenario) {
     const Boundary boundary = resolve_boundary(scenario);
-    const double margins = (boundary.x == Side::absorbing ? 2.0 : 1.0) * (boundary.y == Side::absorbing ? 2.0 : 1.0);
+    const auto with_margins = [&](Side side, double length_m) {
+        if (side != Side::absorbing) return 1.0;
+        return scenario.waves.margin_m ? 1 + 2 * *scenario.waves.margin_m / length_m : 2.0;
+    };
+    const double margins =
+        with_margins(boundary.x, scenario.domain.size_m.x) * with_margins(boundary.y, scenario.domain.size_m.y);
     const glm::ivec2 n = scenario.domain.cells;
     MemoryEstimate estimate;
     estimate.cells = margins * n.x * static_cast<double>(n.y) * bytes_per_cell(resolve_model(scenario).model);

@@ -44,6 +44,8 @@ FloorSettings floor_settings(const Scenario& scenario) {
     settings.plan.angle_deg = floor.angle_deg;
     settings.plan.origin_m = centre - 0.5 * (size.x * settings.plan.axis_x() + size.y * settings.plan.axis_y());
     settings.window = floor.window;
+    // An even number is the paper's M, the rows beside the own one.
+    if (settings.window && settings.window->channels % 2 == 0) ++settings.window->channels;
     settings.depth_m = scenario.domain.depth_m;
     settings.sun = scenario.light;
     settings.optics = scenario.optics;

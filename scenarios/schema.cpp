@@ -212,7 +212,9 @@ void describe_light(Visitor& v, Sun& s) {
 
 void describe_window(Visitor& v, FloorWindow& s) {
     v.value({"samples", "", "Samples N along the map's x; odd.", window_sizes}, &s.samples);
-    v.value({"channels", "", "Rows M + 1 along the map's y; odd.", window_sizes}, &s.channels);
+    v.value({"channels", "", "Neighbouring rows M along the map's y, even: M + 1 channels; odd counts the channels.",
+             window_sizes},
+            &s.channels);
 }
 
 void describe_floor(Visitor& v, FloorSection& s) {

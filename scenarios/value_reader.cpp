@@ -11,9 +11,15 @@ namespace waterlight {
 
 namespace {
 
+/// A whole number may have more digits than a double keeps: toml++ gives no double then.
+double number_of(const toml::node& node) {
+    const toml::value<std::int64_t>* whole = node.as_integer();
+    return whole ? static_cast<double>(whole->get()) : *node.value<double>();
+}
+
 std::optional<double> number_in(const Range& range, const toml::node& node) {
     if (!node.is_number()) return std::nullopt;
-    const double x = *node.value<double>();
+    const double x = number_of(node);
     return range.contains(x) ? std::optional(x) : std::nullopt;
 }
 
@@ -124,6 +130,7 @@ std::string found_text(const toml::node& node) {
     if (node.is_string()) return fmt::format("\"{}\"", shortened(*node.value<std::string>()));
     if (node.is_floating_point() && !std::isfinite(*node.value<double>()))
         return fmt::format("{}, which is not finite", *node.value<double>());
+    if (const toml::value<std::int64_t>* whole = node.as_integer()) return fmt::format("{}", whole->get());
     if (node.is_number()) return fmt::format("{}", *node.value<double>());
     if (node.is_boolean()) return *node.value<bool>() ? "true" : "false";
     return "a date or a time";

@@ -14,6 +14,7 @@
 #include "scenarios/reader.hpp"
 #include "scenarios/resolve.hpp"
 #include "tests/scenarios/program.hpp"
+#include "tests/support/leaks.hpp"
 
 namespace waterlight::test {
 namespace {

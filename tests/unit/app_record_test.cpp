@@ -3,9 +3,11 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "app/readings.hpp"
 #include "app/report.hpp"
+#include "sim/error.hpp"
 
 namespace waterlight::test {
 namespace {
@@ -15,6 +17,8 @@ Surface plane(Boundary boundary, double slope_x, double slope_y) {
     for (int j = 0; j < 4; ++j)
         for (int i = 0; i < 8; ++i)
             s.elevation(i, j) = static_cast<float>(slope_x * s.grid.x_m(i) + slope_y * s.grid.y_m(j));
+    s.slope_x.fill(static_cast<float>(slope_x));
+    s.slope_y.fill(static_cast<float>(slope_y));
     return s;
 }
 
@@ -24,12 +28,41 @@ TEST(Readings, ElevationIsExactOnAPlaneBetweenCellCentres) {
         EXPECT_NEAR(elevation_at(s, at), 0.25 * at.x - 0.5 * at.y, 1e-6);
 }
 
-TEST(Readings, BeyondTheOutermostCentreAWallKeepsTheValueAndAPeriodicSideRepeats) {
-    const Surface walls = plane({Side::wall, Side::wall}, 1, 0), periodic = plane({Side::periodic, Side::wall}, 1, 0);
-    EXPECT_FLOAT_EQ(elevation_at(walls, {0, 1}), 0.25);
-    EXPECT_FLOAT_EQ(elevation_at(walls, {4, 1}), 3.75);
-    EXPECT_FLOAT_EQ(elevation_at(periodic, {0, 1}), 2.0) << "half of both ends";
-    EXPECT_FLOAT_EQ(elevation_at(periodic, {4, 1}), 2.0);
+/// cos(k x) with one half wave between walls, or one wave between periodic sides of 4 m.
+Surface cosine(Side side, int cells) {
+    const double k = (side == Side::wall ? 1 : 2) * std::numbers::pi / 4;
+    Surface s(make_grid(cells, 1, 4, 1), {side, side});
+    for (int i = 0; i < cells; ++i) {
+        s.elevation(i, 0) = static_cast<float>(std::cos(k * s.grid.x_m(i)));
+        s.slope_x(i, 0) = static_cast<float>(-k * std::sin(k * s.grid.x_m(i)));
+    }
+    return s;
+}
+
+TEST(Readings, ElevationIsOfFourthOrderUpToTheSides) {
+    for (const Side side : {Side::wall, Side::periodic}) {
+        for (const double x : {0.0, 1.0, 4.0}) {
+            const double exact = std::cos((side == Side::wall ? 1 : 2) * std::numbers::pi / 4 * x);
+            const double coarse = std::abs(elevation_at(cosine(side, 8), {x, 0.5}) - exact);
+            const double fine = std::abs(elevation_at(cosine(side, 16), {x, 0.5}) - exact);
+            EXPECT_LT(coarse, 2e-3);
+            EXPECT_LT(fine, coarse / 12 + 1e-6);
+        }
+    }
+}
+
+TEST(Readings, ASurfaceThatIsNotANumberStopsTheRunAndSaysWhere) {
+    Surface s = plane({Side::wall, Side::wall}, 1, 0);
+    EXPECT_NO_THROW(require_finite(s));
+    for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+        s.slope_y(5, 2) = bad;
+        try {
+            require_finite(s);
+            ADD_FAILURE() << "accepted";
+        } catch (const WorldError& error) {
+            EXPECT_NE(std::string(error.what()).find("(5, 2)"), std::string::npos) << error.what();
+        }
+    }
 }
 
 TEST(Readings, IrradianceIsThatOfThePixel) {
