@@ -12,16 +12,15 @@ namespace waterlight {
 
 namespace {
 
-// Bytes a cell: floats of the state and its spectrum, of the surface with its slopes, and three copies of the surface
-// that wait to be written.
-constexpr double linear_cell = 80;
-constexpr double airy_cell = 128;
-constexpr double prescribed_cell = 64;
-// Bytes a pixel: landed samples (4 floats), 32 channels, the map, and three copies that wait to be written, one
-// coloured.
-constexpr double two_pass_pixel = 180;
-// In double precision, with the refined samples of the last two levels.
-constexpr double truth_pixel = 400;
+// Bytes a cell, a quarter above the peaks measured (docs/performance.md): the model's state and its surface, and four
+// elevations that wait to be written.
+constexpr double linear_cell = 72;
+constexpr double airy_cell = 80;
+constexpr double prescribed_cell = 40;
+// Bytes a pixel: landed samples, the map, four that wait to be written, a picture.
+constexpr double two_pass_pixel = 56;
+// In double precision, with the two solutions that are compared.
+constexpr double truth_pixel = 120;
 
 double bytes_per_cell(ModelChoice model) {
     if (model == ModelChoice::linear) return linear_cell;
