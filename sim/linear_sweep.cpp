@@ -11,7 +11,7 @@ namespace {
 
 // Half of a core's second-level cache of 512 KiB and up, and the deepest front that still gains from it.
 constexpr int cache_bytes = 384 * 1024;
-constexpr int deepest = 16;
+constexpr int deepest = 8;
 
 using f32::leapfrog_drift;
 using f32::leapfrog_kick;
