@@ -27,7 +27,14 @@ std::vector<std::string> probe_columns(const Scenario& scenario) {
     return columns;
 }
 
-Surface copy_of(const Surface& surface, const OutputSection& settings) {
+/// Depth of the water (m) over a flat floor.
+Field<float> depth_over(const Field<float>& elevation, double still_depth_m) {
+    Field<float> depth = elevation.clone();
+    for (float& d : depth.values()) d += static_cast<float>(still_depth_m);
+    return depth;
+}
+
+Surface copy_of(const Surface& surface, const OutputSection& settings, double still_depth_m) {
     const auto copy_if = [](bool wanted, const std::optional<Field<float>>& field) {
         return wanted && field ? std::optional(field->clone()) : std::nullopt;
     };
@@ -44,6 +51,7 @@ Surface copy_of(const Surface& surface, const OutputSection& settings) {
     copy.velocity_x = copy_if(fields && settings.shows("velocity"), surface.velocity_x);
     copy.velocity_y = copy_if(fields && settings.shows("velocity"), surface.velocity_y);
     copy.depth = copy_if(fields && settings.shows("depth"), surface.depth);
+    if (fields && settings.shows("depth") && !copy.depth) copy.depth = depth_over(surface.elevation, still_depth_m);
     return copy;
 }
 
@@ -102,7 +110,7 @@ Outputs::Outputs(fs::path folder, const Scenario& scenario, double still_irradia
 
 void Outputs::push(const Surface& surface, const FloorMap* map, std::vector<double> probes) {
     FrameFiles frame;
-    frame.surface = copy_of(surface, settings_);
+    frame.surface = copy_of(surface, settings_, depth_m_);
     if (map) frame.irradiance = map->irradiance.clone();
     frame.probes = std::move(probes);
     const std::size_t bytes = frame.bytes();

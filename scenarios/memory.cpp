@@ -13,10 +13,10 @@ namespace waterlight {
 namespace {
 
 // Bytes a cell, a quarter above the peaks measured (docs/performance.md): the model's state and its surface, and four
-// elevations that wait to be written.
-constexpr double linear_cell = 72;
-constexpr double airy_cell = 80;
-constexpr double prescribed_cell = 40;
+// elevations and depths that wait to be written.
+constexpr double linear_cell = 92;
+constexpr double airy_cell = 100;
+constexpr double prescribed_cell = 60;
 // Bytes a pixel: landed samples, the map, four that wait to be written, a picture.
 constexpr double two_pass_pixel = 56;
 // In double precision, with the two solutions that are compared.

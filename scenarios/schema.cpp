@@ -242,7 +242,7 @@ void describe_output(Visitor& v, OutputSection& s) {
     v.value({"every_s", "s", "Time between frames.", positive}, &s.every_s);
     v.value({"formats", "", "What to write; png16 is 16-bit grey with its scale in the file."},
             Words{{"vti", "png", "png16", "exr"}, &s.formats});
-    v.value({"fields", "", "Arrays of surface/*.vti beside elevation, where the model has them."},
+    v.value({"fields", "", "Arrays of surface/*.vti beside elevation; velocity where the model has it."},
             Words{{"elevation", "slope", "velocity", "depth"}, &s.fields});
     v.value({"compression", "", "Of the .vti arrays."}, choice(s.compression, {"none", "lz4", "zlib"}));
     v.value({"elevation_max_m", "m", "Elevation at the ends of the pictures' colours.", positive, false,

@@ -17,7 +17,7 @@ struct BuoyTail {
     double begin_hz = 0;   ///< where the tail alone holds
     double end_hz = 0;     ///< the slowest wave's frequency; infinity without surface tension
     double beta = 0;       ///< m^2 Hz^3
-    double gravity_m_s2 = 9.81;
+    double gravity_m_s2 = Water{}.gravity_m_s2;
 
     /// S(f), m^2/Hz, at begin_hz <= f <= end_hz.
     double density(double f_hz) const;

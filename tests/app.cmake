@@ -5,7 +5,7 @@ waterlight_test(app_record_test SOURCES unit/app_record_test.cpp LIBRARIES water
 
 waterlight_test(program_test
     SOURCES scenarios/bad_scenarios_test.cpp scenarios/outputs_test.cpp
-    LIBRARIES nlohmann_json::nlohmann_json fmt::fmt)
+    LIBRARIES waterlight::sim waterlight_sim_files nlohmann_json::nlohmann_json fmt::fmt)
 waterlight_test(shipped_scenarios_test
     SOURCES scenarios/shipped_scenarios_test.cpp
     LIBRARIES waterlight::scenarios waterlight::caustics_vulkan nlohmann_json::nlohmann_json)

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "sim/vti_reader.hpp"
 #include "tests/scenarios/program.hpp"
 
 namespace waterlight::test {
@@ -47,6 +48,18 @@ TEST_F(Outputs, HasEveryFileOfEveryFrame) {
     const std::string probes = read_file(out_ / "probes.csv");
     EXPECT_EQ(probes.substr(0, probes.find('\n')), "time_s,corner.elevation_m,corner.irradiance_w_m2");
     EXPECT_EQ(std::count(probes.begin(), probes.end(), '\n'), 7);
+}
+
+TEST_F(Outputs, DepthIsStillDepthAndElevation) {
+    ASSERT_EQ(run({"--set", "output.fields=[\"depth\"]"}).exit, 0);
+    const fs::path last = out_ / "surface/surface_000005.vti";
+    const VtiField depth = read_vti(last, "depth"), elevation = read_vti(last, "elevation");
+    float highest = 0;
+    for (std::size_t i = 0; i < depth.values.size(); ++i) {
+        EXPECT_FLOAT_EQ(depth.values.data()[i], 0.5F + elevation.values.data()[i]);
+        highest = std::max(highest, elevation.values.data()[i]);
+    }
+    EXPECT_GT(highest, 0.001F);
 }
 
 TEST_F(Outputs, ReportKeepsItsContract) {
