@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstring>
 
@@ -123,6 +124,12 @@ std::optional<LineOfNumbers> numbers_in(std::string_view line) {
     }
     if (numbers.count == 0) return {};
     return numbers;
+}
+
+std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return lower;
 }
 
 bool is_blank(std::string_view line) { return without_blanks_before(line).empty(); }

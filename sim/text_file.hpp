@@ -61,6 +61,9 @@ struct LineOfNumbers {
 /// What a line says that holds numbers only, separated by blanks or by one comma each. Nothing for any other line.
 std::optional<LineOfNumbers> numbers_in(std::string_view line);
 
+/// ASCII letters made small.
+std::string lower_case(std::string_view text);
+
 /// Whether there is nothing but blanks in it.
 bool is_blank(std::string_view line);
 
