@@ -13,7 +13,7 @@
 namespace waterlight {
 
 Field<double> read_ground_vti(const GroundFile& file, const Grid& grid) {
-    const VtiArray<double> array = read_vti_double(file.path, file.array);
+    const VtiScalars<double> array = read_vti_double(file.path, file.array);
     const Grid& from = array.grid;
     GroundMixer mixer(file, {from.nx, from.ny, from.dx_m, from.dy_m, from.x_m(0), from.y_m(0)}, grid);
     for (int j = 0; j < from.ny; ++j) {

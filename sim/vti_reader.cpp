@@ -144,7 +144,7 @@ std::optional<double> time_of(VtkXml& file, vtkXMLDataElement& image) {
 }
 
 template <class Real>
-VtiArray<Real> read_array(const std::filesystem::path& path, const std::string& name) {
+VtiScalars<Real> read_array(const std::filesystem::path& path, const std::string& name) {
     VtkXml file(path, "ImageData");
     vtkXMLDataElement* image = VtkXml::find(file.root(), "ImageData");
     if (image == nullptr) file.reject("has no element ImageData");
@@ -155,7 +155,7 @@ VtiArray<Real> read_array(const std::filesystem::path& path, const std::string& 
         locations, [&](const Location& location) { return array_named(*pieces[0], location, name) != nullptr; });
     if (at == std::end(locations)) reject_missing(file, *pieces[0], name);
 
-    VtiArray<Real> field;
+    VtiScalars<Real> field;
     field.grid = grid_of(file, *image, whole, *at);
     field.values = Field<Real>(field.grid.nx, field.grid.ny);
     std::size_t values = 0;
@@ -169,7 +169,7 @@ VtiArray<Real> read_array(const std::filesystem::path& path, const std::string& 
 
 VtiField read_vti(const std::filesystem::path& path, const std::string& name) { return read_array<float>(path, name); }
 
-VtiArray<double> read_vti_double(const std::filesystem::path& path, const std::string& name) {
+VtiScalars<double> read_vti_double(const std::filesystem::path& path, const std::string& name) {
     return read_array<double>(path, name);
 }
 

@@ -13,12 +13,12 @@ namespace waterlight {
 
 /// One scalar array of a .vti file. Point data becomes a grid whose cell centres are the points.
 template <class Real>
-struct VtiArray {
+struct VtiScalars {
     Grid grid;
     Field<Real> values;
     std::optional<double> time_s;  ///< the file's "TimeValue"
 };
-using VtiField = VtiArray<float>;
+using VtiField = VtiScalars<float>;
 
 /// Reads the scalar array `name`, float or double, of the cells or else the points of a flat, unrotated image (one cell
 /// or one point along z, in any format of VTK's). Throws InputError that names the file and what is wrong with it: for
@@ -26,7 +26,7 @@ using VtiField = VtiArray<float>;
 VtiField read_vti(const std::filesystem::path& path, const std::string& name);
 
 /// The same array in double precision.
-VtiArray<double> read_vti_double(const std::filesystem::path& path, const std::string& name);
+VtiScalars<double> read_vti_double(const std::filesystem::path& path, const std::string& name);
 
 /// One file of a series.
 struct TimedFile {
