@@ -99,8 +99,8 @@ AxisShares::AxisShares(const Points& points, const Cells& cells) {
     for (std::size_t p = 0, sum = 0; p < starts_.size(); ++p) starts_[p] = sum += starts_[p];
     shares_.resize(gifts.size());
     // From the ends downwards, which leaves in each place where its point's shares start.
-    for (auto gift = gifts.rbegin(); gift != gifts.rend(); ++gift) {
-        shares_[--starts_[static_cast<std::size_t>(gift->point)]] = gift->share;
+    for (std::size_t k = gifts.size(); k-- > 0;) {
+        shares_[--starts_[static_cast<std::size_t>(gifts[k].point)]] = gifts[k].share;
     }
 }
 
