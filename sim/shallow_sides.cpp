@@ -7,7 +7,7 @@
 
 namespace waterlight {
 
-namespace {
+namespace shallow_sides {
 
 bool is_walled(const ShallowSide& side) {
     return std::holds_alternative<WallSide>(side) || std::holds_alternative<PistonSide>(side);
@@ -92,7 +92,9 @@ struct Beyond {
     }
 };
 
-}  // namespace
+}  // namespace shallow_sides
+
+using namespace shallow_sides;
 
 Boundary boundary_of(const ShallowSides& sides) {
     return {side_of(sides.west, sides.east), side_of(sides.south, sides.north)};
@@ -128,46 +130,104 @@ void ShallowFrames<Real>::fill(ShallowStart<Real>& start) const {
     });
 }
 
+namespace {
+
+/// Copies the frame of one side: mirrored at a wall, repeated where periodic.
 template <class Real>
-double ShallowFrames<Real>::fill(const ShallowStart<Real>& start, double time_s, ShallowFields<Real>& fields) const {
+void copy_frame(const ShallowSide& side, const SideView& view, ShallowFields<Real>& fields) {
+    FramedRows<Real>& across = view.along_y ? fields.qx : fields.qy;
+    FramedRows<Real>& along = view.along_y ? fields.qy : fields.qx;
+    const Real sign = is_periodic(side) ? Real(1) : Real(-1);
+    for (int frame = -2; frame < 0; ++frame) {
+        const int depth = source_of(side, view, frame);
+        for (int n = 0; n < view.count(); ++n) {
+            const Place from = view.at(n, depth), to = view.at(n, frame);
+            value(fields.rise, to) = value(fields.rise, from);
+            value(across, to) = sign * value(across, from);
+            value(along, to) = value(along, from);
+        }
+    }
+}
+
+bool copies(const ShallowSide& side) { return is_periodic(side) || std::holds_alternative<WallSide>(side); }
+
+/// A cell of the state: the surface's rise and the discharge across and along a side.
+struct Cell {
+    double rise, across, along;
+};
+
+template <class Real>
+Cell cell(const ShallowFields<Real>& f, const SideView& view, Place at) {
+    const double x = value(f.qx, at), y = value(f.qy, at);
+    return {value(f.rise, at), view.along_y ? x : y, view.along_y ? y : x};
+}
+
+template <class Real>
+void set_cell(const Cell& cell, const SideView& view, Place at, ShallowFields<Real>& f) {
+    value(f.rise, at) = static_cast<Real>(cell.rise);
+    value(view.along_y ? f.qx : f.qy, at) = static_cast<Real>(cell.across);
+    value(view.along_y ? f.qy : f.qx, at) = static_cast<Real>(cell.along);
+}
+
+}  // namespace
+
+template <class Real>
+template <class Inside, class Put>
+double ShallowFrames<Real>::find_beyond(const ShallowSide& side, const SideView& view, const ShallowStart<Real>& start,
+                                        double time_s, const std::pair<Inside, Put>& cells) const {
+    double fastest = 0;
+    for (int frame = -2; frame < 0; ++frame) {
+        for (int n = 0; n < view.count(); ++n) {
+            const Place from = view.at(n, source_of(side, view, frame)), to = view.at(n, frame);
+            const Cell inside = cells.first(from);
+            const double still = value(start.depth, from);
+            const double h = still + inside.rise;
+            const double flow = f64::flow_per_discharge(h, film_);
+            const Beyond beyond{time_s,
+                                gravity_,
+                                value(start.surface, from) - still,
+                                view.inward(),
+                                view.along_y,
+                                {h, view.inward() * flow * inside.across},
+                                flow * inside.along};
+            const Beyond::Water water = std::visit(beyond, side);
+            const double u = view.inward() * water.at.u;
+            cells.second(to, Cell{water.at.h - value(start.depth, to), water.at.h * u, water.at.h * water.v});
+            fastest =
+                std::max(fastest, f64::crossing_rate(water.at.h, view.along_y ? u : water.v, view.along_y ? water.v : u,
+                                                     gravity_, 1 / grid_.dx_m, 1 / grid_.dy_m));
+        }
+    }
+    return fastest;
+}
+
+template <class Real>
+double ShallowFrames<Real>::fill(const ShallowStart<Real>& start, double time_s, ShallowFields<Real>& now) const {
     double fastest = 0;
     for_sides(grid_, sides_, [&](const ShallowSide& side, const SideView& view) {
-        FramedRows<Real>& across = view.along_y ? fields.qx : fields.qy;
-        FramedRows<Real>& along = view.along_y ? fields.qy : fields.qx;
-        const double inward = view.inward();
-        const bool copies = is_periodic(side) || std::holds_alternative<WallSide>(side);
-        const Real sign = is_periodic(side) ? Real(1) : Real(-1);
-        for (int frame = -2; frame < 0; ++frame) {
-            const int depth = source_of(side, view, frame);
-            for (int n = 0; n < view.count(); ++n) {
-                const Place from = view.at(n, depth), to = view.at(n, frame);
-                if (copies) {
-                    value(fields.rise, to) = value(fields.rise, from);
-                    value(across, to) = sign * value(across, from);
-                    value(along, to) = value(along, from);
-                    continue;
-                }
-                const double h = static_cast<double>(value(start.depth, from)) + value(fields.rise, from);
-                const double ground = static_cast<double>(value(start.surface, from)) - value(start.depth, from);
-                const double flow = f64::flow_per_discharge(h, film_);
-                const Beyond beyond{time_s,
-                                    gravity_,
-                                    ground,
-                                    inward,
-                                    view.along_y,
-                                    {h, inward * flow * value(across, from)},
-                                    flow * value(along, from)};
-                const auto water = std::visit(beyond, side);
-                value(fields.rise, to) = static_cast<Real>(water.at.h - value(start.depth, to));
-                value(across, to) = static_cast<Real>(inward * water.at.h * water.at.u);
-                value(along, to) = static_cast<Real>(water.at.h * water.v);
-                const double u = view.along_y ? water.at.u : water.v, v = view.along_y ? water.v : water.at.u;
-                fastest =
-                    std::max(fastest, f64::crossing_rate(water.at.h, u, v, gravity_, 1 / grid_.dx_m, 1 / grid_.dy_m));
-            }
-        }
+        if (copies(side)) return copy_frame(side, view, now);
+        const auto inside = [&](Place at) { return cell(now, view, at); };
+        const auto put = [&](Place at, const Cell& beyond) { set_cell(beyond, view, at, now); };
+        fastest = std::max(fastest, find_beyond(side, view, start, time_s, std::pair{inside, put}));
     });
     return fastest;
+}
+
+template <class Real>
+void ShallowFrames<Real>::fill(const ShallowStart<Real>& start, double time_s, const ShallowFields<Real>& now,
+                               ShallowFields<Real>& change) const {
+    for_sides(grid_, sides_, [&](const ShallowSide& side, const SideView& view) {
+        if (copies(side)) return copy_frame(side, view, change);
+        const auto inside = [&](Place at) {
+            const Cell a = cell(now, view, at), b = cell(change, view, at);
+            return Cell{a.rise + b.rise, a.across + b.across, a.along + b.along};
+        };
+        const auto put = [&](Place at, const Cell& beyond) {
+            const Cell a = cell(now, view, at);
+            set_cell({beyond.rise - a.rise, beyond.across - a.across, beyond.along - a.along}, view, at, change);
+        };
+        find_beyond(side, view, start, time_s, std::pair{inside, put});
+    });
 }
 
 template class ShallowFrames<float>;

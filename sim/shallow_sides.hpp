@@ -12,6 +12,10 @@ namespace waterlight {
 /// water pass on both sides absorbs.
 Boundary boundary_of(const ShallowSides& sides);
 
+namespace shallow_sides {
+struct SideView;
+}
+
 template <class Real>
 class ShallowFrames {
   public:
@@ -22,9 +26,19 @@ class ShallowFrames {
     void fill(ShallowStart<Real>& start) const;
 
     /// The frame of the fields at time_s. Returns the largest crossing rate (1/s) of what may flow in.
-    double fill(const ShallowStart<Real>& start, double time_s, ShallowFields<Real>& fields) const;
+    double fill(const ShallowStart<Real>& start, double time_s, ShallowFields<Real>& now) const;
+
+    /// The frame of `change`, such that now + change is what lies beyond the sides at time_s.
+    void fill(const ShallowStart<Real>& start, double time_s, const ShallowFields<Real>& now,
+              ShallowFields<Real>& change) const;
 
   private:
+    /// Of each frame cell of a side what lies beyond: cells.first gives what is inside, cells.second takes what is
+    /// beyond.
+    template <class Inside, class Put>
+    double find_beyond(const ShallowSide& side, const shallow_sides::SideView& view, const ShallowStart<Real>& start,
+                       double time_s, const std::pair<Inside, Put>& cells) const;
+
     Grid grid_;
     ShallowSides sides_;
     double gravity_, film_;

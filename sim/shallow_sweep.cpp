@@ -79,15 +79,18 @@ using f64::shallow_flux;
 using f64::slope_freedom;
 using f64::surface_force;
 
-// Surface, depth, velocity and ground of cells -2 to nx + 1 of a row.
-template <class Real>
-void find_water(const ShallowStart<Real>& start, const ShallowFields<Real>& from, int row, Real film,
-                const CellRow<Real>& to) {
+// Surface, depth, velocity and ground of cells -2 to nx + 1 of a row, of `now` or of now + change.
+template <bool with_change, class Real>
+void find_water(const ShallowStart<Real>& start, const ShallowFields<Real>& now, const ShallowFields<Real>& change,
+                int row, Real film, const CellRow<Real>& to) {
     const Real* __restrict surface = start.surface.row(row);
     const Real* __restrict depth = start.depth.row(row);
-    const Real* __restrict rise = from.rise.row(row);
-    const Real* __restrict qx = from.qx.row(row);
-    const Real* __restrict qy = from.qy.row(row);
+    const Real* __restrict rise = now.rise.row(row);
+    const Real* __restrict qx = now.qx.row(row);
+    const Real* __restrict qy = now.qy.row(row);
+    const Real* __restrict more_rise = change.rise.row(row);
+    const Real* __restrict more_qx = change.qx.row(row);
+    const Real* __restrict more_qy = change.qy.row(row);
     Real* __restrict e = to.e;
     Real* __restrict h = to.h;
     Real* __restrict u = to.u;
@@ -96,12 +99,13 @@ void find_water(const ShallowStart<Real>& start, const ShallowFields<Real>& from
     const int nx = start.depth.nx();
 #pragma GCC ivdep
     for (int i = -2; i < nx + 2; ++i) {
-        const Real deep = depth[i] + rise[i];
+        const Real up = with_change ? rise[i] + more_rise[i] : rise[i];
+        const Real deep = depth[i] + up < 0 ? 0 : depth[i] + up;  // a NaN stays
         const Real flow = flow_per_discharge(deep, film);
-        e[i] = surface[i] + rise[i];
+        e[i] = surface[i] + up;
         h[i] = deep;
-        u[i] = qx[i] * flow;
-        v[i] = qy[i] * flow;
+        u[i] = flow * (with_change ? qx[i] + more_qx[i] : qx[i]);
+        v[i] = flow * (with_change ? qy[i] + more_qy[i] : qy[i]);
         z[i] = surface[i] - depth[i];
     }
 }
@@ -180,16 +184,21 @@ FaceRow<Real> shifted(const FaceRow<Real>& r, int by) {
 
 // The rows that belong to one thread, [first, last).
 template <class Real>
+template <bool second>
 class ShallowSweep<Real>::Band {
   public:
-    Band(const ShallowSweep& sweep, const ShallowStage<Real>& stage, const ShallowStart<Real>& start,
-         const ShallowFields<Real>& from, ShallowFields<Real>& to, Field<Real>& scratch)
-        : s_(sweep), stage_(stage), start_(start), from_(from), to_(to) {
+    using Now = std::conditional_t<second, ShallowFields<Real>, const ShallowFields<Real>>;
+    using Change = std::conditional_t<second, const ShallowFields<Real>, ShallowFields<Real>>;
+
+    Band(ShallowSweep& sweep, const ShallowStage<Real>& stage, const ShallowStart<Real>& start, Now& now,
+         Change& change, Field<Real>& scratch)
+        : s_(sweep), stage_(stage), start_(start), now_(now), change_(change) {
         int next = 0;
         const auto row = [&] { return scratch.row(next++) + FramedRows<Real>::lead; };
         const auto faces = [&] { return FaceRow<Real>{row(), row(), row(), row()}; };
         const auto flux = [&] { return FluxRow<Real>{row(), row(), row(), row()}; };
-        for (CellRow<Real>& r : water_.rows) r = {row(), row(), row(), row(), row()};
+        for (auto* ring : {&water_, &ahead_})
+            for (CellRow<Real>& r : ring->rows) r = {row(), row(), row(), row(), row()};
         x_low_ = faces();
         x_high_ = faces();
         y_low_ = faces();
@@ -201,41 +210,50 @@ class ShallowSweep<Real>::Band {
         x_force_ = row();
     }
 
-    static constexpr int scratch_rows = 15 + 12 + 8 + 12 + 12 + 12 + 1;
+    static constexpr int scratch_rows = 15 + 15 + 12 + 8 + 12 + 12 + 12 + 1;
 
-    ShallowPeak run(int first, int last) {
-        const bool open_low = first == 0 && !s_.periodic_y_;
-        const bool open_high = last == s_.ny_ && !s_.periodic_y_;
-        const int lowest = open_low ? -1 : first - 2;  // row of cells with faces
-        const int highest = open_high ? last : last + 1;
-        find_water_of(lowest - 1);
-        find_water_of(lowest);
-        if (open_low) spare(-1);
-        for (int r = lowest; r <= highest; ++r) {
-            find_water_of(r + 1);
-            find_y(r, r > lowest);
-            const bool has_x = r >= (open_low ? 0 : first - 1) && r <= (open_high ? last - 1 : last);
-            if (has_x) find_x(r);
-            const bool has_drain = r - 1 >= (open_low ? 0 : first - 1) && r - 1 <= (open_high ? last - 1 : last);
-            if (has_drain) find_drain(r - 1);
-            if (r - 2 >= first) update(r - 2);
+    /// The band [first, last). Reads what it needs of rows beyond it, which others will change.
+    void prepare(int first, int last) {
+        first_ = first;
+        last_ = last;
+        at_low_side_ = first == 0 && !s_.periodic_y_;
+        at_high_side_ = last == s_.ny_ && !s_.periodic_y_;
+        lowest_ = at_low_side_ ? -1 : first - 2;
+        highest_ = at_high_side_ ? last : last + 1;
+        for (int r = lowest_ - 1; r < first; ++r) find_water_of(r, water_.at(r));
+        for (int r = last; r <= highest_ + 1; ++r) find_water_of(r, ahead_.at(r));
+    }
+
+    // A row is updated once the outflow of those beside it is known, two rows behind the one whose faces are found.
+    ShallowPeak run() {
+        const int first_drain = at_low_side_ ? 0 : first_ - 1, last_drain = at_high_side_ ? last_ - 1 : last_;
+        if (at_low_side_) spare(-1);
+        if (at_high_side_) spare(last_);
+        for (int r = lowest_; r <= highest_; ++r) {
+            if (r + 1 >= last_)
+                std::swap(water_.at(r + 1), ahead_.at(r + 1));
+            else if (r + 1 >= first_)
+                find_water_of(r + 1, water_.at(r + 1));
+            find_y(r, r > lowest_);
+            if (r >= first_drain && r <= last_drain) find_x(r);
+            if (r - 1 >= first_drain) find_drain(r - 1);
+            if (r - 2 >= first_) update(r - 2);
         }
-        if (open_high) {
-            spare(last);
-            update(last - 1);
-        }
+        if (at_high_side_) update(last_ - 1);
         return peak_;
     }
 
-    ShallowPeak look(int first, int last) {
-        for (int r = first; r < last; ++r) calm(r);
+    ShallowPeak look() {
+        for (int r = first_; r < last_; ++r) calm(r);
         return peak_;
     }
 
   private:
     int wrapped(int r) const { return s_.periodic_y_ ? ((r % s_.ny_) + s_.ny_) % s_.ny_ : r; }
 
-    void find_water_of(int r) { find_water(start_, from_, wrapped(r), stage_.film, water_.at(r)); }
+    void find_water_of(int r, const CellRow<Real>& to) {
+        find_water<second>(start_, now_, change_, wrapped(r), stage_.film, to);
+    }
 
     // Along y: faces of row r, the flux between it and the row before, and what pushes that.
     void find_y(int r, bool has_flux) {
@@ -266,8 +284,7 @@ class ShallowSweep<Real>::Band {
         const Real* __restrict x = x_flux_.at(r).mass;
         const Real* __restrict y = y_flux_.at(r).mass;
         const Real* __restrict y1 = y_flux_.at(r + 1).mass;
-        const Real* __restrict depth = start_.depth.row(wrapped(r));
-        const Real* __restrict rise = from_.rise.row(wrapped(r));
+        const Real* __restrict h = water_.at(r).h;
         Real* __restrict drain = drain_.at(r);
         const Real per_dx = stage_.per_dx, per_dy = stage_.per_dy, dt = stage_.dt;
         const Real none = 0;
@@ -278,7 +295,7 @@ class ShallowSweep<Real>::Band {
             const Real high_x = x[i + 1] > none ? x[i + 1] : none;
             const Real low_y = y[i] < none ? y[i] : none;
             const Real high_y = y1[i] > none ? y1[i] : none;
-            drain[i] = drain_part(depth[i] + rise[i], per_dx * (high_x - low_x) + per_dy * (high_y - low_y), dt);
+            drain[i] = drain_part(h[i], per_dx * (high_x - low_x) + per_dy * (high_y - low_y), dt);
             cuts |= drain[i] < 1 ? 1 : 0;
         }
         drain[-1] = s_.periodic_x_ ? drain[s_.nx_ - 1] : Real(1);
@@ -291,9 +308,10 @@ class ShallowSweep<Real>::Band {
             advance<true>(r);
         else
             advance<false>(r);
-        if (!stage_.averages) return;
-        if (stage_.friction > 0) rub(r);
-        calm(r);
+        if constexpr (second) {
+            if (stage_.friction > 0) rub(r);
+            calm(r);
+        }
     }
 
     template <bool drains>
@@ -304,12 +322,12 @@ class ShallowSweep<Real>::Band {
         const Real *y1_mass = y_flux_.at(r + 1).mass, *y1_along = y_flux_.at(r + 1).along;
         const Real *push_x = x_push_.at(r), *push_y = y_push_.at(r);
         const Real *drain = drain_.at(r), *drain0 = drain_.at(r - 1), *drain1 = drain_.at(r + 1);
-        const Real *from_rise = from_.rise.row(row), *from_qx = from_.qx.row(row), *from_qy = from_.qy.row(row);
         const Real* depth = start_.depth.row(row);
-        Real *rise = to_.rise.row(row), *qx = to_.qx.row(row), *qy = to_.qy.row(row);
+        auto *rise = now_.rise.row(row), *qx = now_.qx.row(row), *qy = now_.qy.row(row);
+        auto *more_rise = change_.rise.row(row), *more_qx = change_.qx.row(row), *more_qy = change_.qy.row(row);
+        Real* carry = s_.carry_.row(row);
         const Real dt = stage_.dt, per_dx = stage_.per_dx, per_dy = stage_.per_dy;
-        const Real old = stage_.averages ? Real(0.5) : Real(0), own = Real(1) - old;
-        const Real none = 0;
+        const Real none = 0, half = Real(0.5);
 #pragma GCC ivdep
         for (int i = 0; i < s_.nx_; ++i) {
             Real west = x_mass[i], east = x_mass[i + 1], south = y_mass[i], north = y1_mass[i];
@@ -324,14 +342,23 @@ class ShallowSweep<Real>::Band {
                 south *= at_south, south_u *= at_south;
                 north *= at_north, north_u *= at_north;
             }
-            const Real gain = from_rise[i] + dt * (per_dx * (west - east) + per_dy * (south - north));
-            const Real gain_x = from_qx[i] + dt * (push_x[i] + per_dy * (south_u - north_u));
-            const Real gain_y = from_qy[i] + dt * (push_y[i] + per_dx * (west_v - east_v));
-            const Real empty = -depth[i];
-            const Real next = old * rise[i] + own * gain;
-            rise[i] = next < empty ? empty : next;  // a NaN stays
-            qx[i] = old * qx[i] + own * gain_x;
-            qy[i] = old * qy[i] + own * gain_y;
+            const Real gain = dt * (per_dx * (west - east) + per_dy * (south - north));
+            const Real gain_x = dt * (push_x[i] + per_dy * (south_u - north_u));
+            const Real gain_y = dt * (push_y[i] + per_dx * (west_v - east_v));
+            if constexpr (second) {
+                const Real wanted = half * (more_rise[i] + gain) + carry[i];
+                const Real reached = rise[i] + wanted;
+                const Real next = reached < -depth[i] ? -depth[i] : reached;  // a NaN stays
+                carry[i] = wanted - (next - rise[i]);
+                rise[i] = next;
+                qx[i] += half * (more_qx[i] + gain_x);
+                qy[i] += half * (more_qy[i] + gain_y);
+            } else {
+                const Real empty = -(depth[i] + rise[i]);
+                more_rise[i] = gain < empty ? empty : gain;
+                more_qx[i] = gain_x;
+                more_qy[i] = gain_y;
+            }
         }
     }
 
@@ -340,8 +367,8 @@ class ShallowSweep<Real>::Band {
     void calm(int r) {
         using Bits = std::conditional_t<sizeof(Real) == 4, std::int32_t, std::int64_t>;
         const Real* __restrict depth = start_.depth.row(r);
-        const Real* __restrict rise = to_.rise.row(r);
-        Real* __restrict qx = to_.qx.row(r), * __restrict qy = to_.qy.row(r);
+        const Real* __restrict rise = now_.rise.row(r);
+        Real* __restrict qx = now_.qx.row(r), * __restrict qy = now_.qy.row(r);
         const Real g = stage_.gravity, film = stage_.film, per_dx = stage_.per_dx, per_dy = stage_.per_dy;
         Bits most = 0;
 #pragma GCC ivdep
@@ -362,8 +389,8 @@ class ShallowSweep<Real>::Band {
 
     void rub(int r) {
         const Real* __restrict depth = start_.depth.row(r);
-        const Real* __restrict rise = to_.rise.row(r);
-        Real* __restrict qx = to_.qx.row(r), * __restrict qy = to_.qy.row(r);
+        const Real* __restrict rise = now_.rise.row(r);
+        Real* __restrict qx = now_.qx.row(r), * __restrict qy = now_.qy.row(r);
         const Real friction = stage_.friction, film = stage_.film;
 #pragma GCC ivdep
         for (int i = 0; i < s_.nx_; ++i) {
@@ -374,12 +401,15 @@ class ShallowSweep<Real>::Band {
         }
     }
 
-    const ShallowSweep& s_;
+    ShallowSweep& s_;
     const ShallowStage<Real>& stage_;
     const ShallowStart<Real>& start_;
-    const ShallowFields<Real>& from_;
-    ShallowFields<Real>& to_;
-    Ring<CellRow<Real>, 3> water_;
+    Now& now_;
+    Change& change_;
+    int first_ = 0, last_ = 0;
+    int lowest_ = 0, highest_ = 0;  // rows of cells with faces
+    bool at_low_side_ = false, at_high_side_ = false;
+    Ring<CellRow<Real>, 3> water_, ahead_;
     FaceRow<Real> x_low_, x_high_, y_low_;
     Ring<FaceRow<Real>, 2> y_high_;
     Ring<FluxRow<Real>, 3> x_flux_, y_flux_;
@@ -391,19 +421,26 @@ class ShallowSweep<Real>::Band {
 
 template <class Real>
 ShallowSweep<Real>::ShallowSweep(int nx, int ny, bool periodic_x, bool periodic_y)
-    : nx_(nx), ny_(ny), periodic_x_(periodic_x), periodic_y_(periodic_y) {}
+    : nx_(nx), ny_(ny), periodic_x_(periodic_x), periodic_y_(periodic_y), carry_(nx, ny) {}
 
 template <class Real>
-template <class Work>
-ShallowPeak ShallowSweep<Real>::in_bands(Work work) {
-    const int bands = std::clamp(omp_get_max_threads(), 1, std::max(1, ny_ / least_rows));
-    while (static_cast<int>(scratch_.size()) < bands)
-        scratch_.emplace_back(FramedRows<Real>::stride_for(nx_), Band::scratch_rows);
-    std::vector<ShallowPeak> peaks(static_cast<std::size_t>(bands));
-#pragma omp parallel for num_threads(bands) schedule(static, 1)
-    for (int b = 0; b < bands; ++b) {
-        const auto edge = [&](int n) { return static_cast<int>(static_cast<std::int64_t>(ny_) * n / bands); };
-        peaks[static_cast<std::size_t>(b)] = work(scratch_[static_cast<std::size_t>(b)], edge(b), edge(b + 1));
+template <bool second, class Now, class Change, class Work>
+ShallowPeak ShallowSweep<Real>::in_bands(const ShallowStage<Real>& stage, const ShallowStart<Real>& start, Now& now,
+                                         Change& change, Work work) {
+    const int count = std::clamp(omp_get_max_threads(), 1, std::max(1, ny_ / least_rows));
+    while (static_cast<int>(scratch_.size()) < count)
+        scratch_.emplace_back(FramedRows<Real>::stride_for(nx_), Band<second>::scratch_rows);
+    std::vector<Band<second>> bands;
+    for (int b = 0; b < count; ++b)
+        bands.emplace_back(*this, stage, start, now, change, scratch_[static_cast<std::size_t>(b)]);
+    std::vector<ShallowPeak> peaks(bands.size());
+    const auto edge = [&](int n) { return static_cast<int>(static_cast<std::int64_t>(ny_) * n / count); };
+#pragma omp parallel num_threads(count)
+    {
+#pragma omp for schedule(static, 1)
+        for (int b = 0; b < count; ++b) bands[static_cast<std::size_t>(b)].prepare(edge(b), edge(b + 1));
+#pragma omp for schedule(static, 1)
+        for (int b = 0; b < count; ++b) peaks[static_cast<std::size_t>(b)] = work(bands[static_cast<std::size_t>(b)]);
     }
     ShallowPeak peak;
     for (const ShallowPeak& p : peaks) {
@@ -414,19 +451,21 @@ ShallowPeak ShallowSweep<Real>::in_bands(Work work) {
 }
 
 template <class Real>
-ShallowPeak ShallowSweep<Real>::run(const ShallowStage<Real>& stage, const ShallowStart<Real>& start,
-                                    const ShallowFields<Real>& from, ShallowFields<Real>& to) {
-    return in_bands([&](Field<Real>& scratch, int first, int last) {
-        return Band(*this, stage, start, from, to, scratch).run(first, last);
-    });
+void ShallowSweep<Real>::first_stage(const ShallowStage<Real>& stage, const ShallowStart<Real>& start,
+                                     const ShallowFields<Real>& now, ShallowFields<Real>& change) {
+    in_bands<false>(stage, start, now, change, [](Band<false>& band) { return band.run(); });
+}
+
+template <class Real>
+ShallowPeak ShallowSweep<Real>::second_stage(const ShallowStage<Real>& stage, const ShallowStart<Real>& start,
+                                             const ShallowFields<Real>& change, ShallowFields<Real>& now) {
+    return in_bands<true>(stage, start, now, change, [](Band<true>& band) { return band.run(); });
 }
 
 template <class Real>
 ShallowPeak ShallowSweep<Real>::look(const ShallowStage<Real>& stage, const ShallowStart<Real>& start,
-                                     ShallowFields<Real>& fields) {
-    return in_bands([&](Field<Real>& scratch, int first, int last) {
-        return Band(*this, stage, start, fields, fields, scratch).look(first, last);
-    });
+                                     const ShallowFields<Real>& change, ShallowFields<Real>& now) {
+    return in_bands<true>(stage, start, now, change, [](Band<true>& band) { return band.look(); });
 }
 
 template class ShallowSweep<float>;

@@ -13,9 +13,8 @@ struct ShallowStage {
     Real dt = 0;
     Real per_dx = 0, per_dy = 0;  ///< 1/m
     Real gravity = 0;
-    Real film = 0;          ///< m; see flow_per_discharge()
-    Real friction = 0;      ///< g n^2 dt, applied at the end of the stage where it is above 0
-    bool averages = false;  ///< Heun's second stage: the mean of `before` and the stage's own result
+    Real film = 0;      ///< m; see flow_per_discharge()
+    Real friction = 0;  ///< g n^2 dt, applied at the end of the step where it is above 0
 };
 
 /// What a stage saw of its result.
@@ -32,21 +31,32 @@ class ShallowSweep {
     /// `periodic_*`: the frame along that axis is what lies on the other side.
     ShallowSweep(int nx, int ny, bool periodic_x, bool periodic_y);
 
-    /// to = from + dt L(from), or the mean of that and what `to` held before where stage.averages. The frames of
-    /// `start` and `from` are filled. The depth stays at or above 0, and what leaves a cell enters its neighbours.
-    ShallowPeak run(const ShallowStage<Real>& stage, const ShallowStart<Real>& start, const ShallowFields<Real>& from,
-                    ShallowFields<Real>& to);
+    /// Heun's first stage: change = dt L(now). The depth of now + change stays at or above 0, and what leaves a cell
+    /// enters its neighbours. The frames of `start` and `now` are filled.
+    void first_stage(const ShallowStage<Real>& stage, const ShallowStart<Real>& start, const ShallowFields<Real>& now,
+                     ShallowFields<Real>& change);
 
-    /// Settles the discharge of films and finds the fastest waves, as run() does at the end of a step.
-    ShallowPeak look(const ShallowStage<Real>& stage, const ShallowStart<Real>& start, ShallowFields<Real>& fields);
+    /// The second: now += (change + dt L(now + change)) / 2, then friction. The frame of `change` is filled too.
+    ShallowPeak second_stage(const ShallowStage<Real>& stage, const ShallowStart<Real>& start,
+                             const ShallowFields<Real>& change, ShallowFields<Real>& now);
+
+    /// Settles the discharge of films and finds the fastest waves, as the second stage does at its end. `change` is of
+    /// no account.
+    ShallowPeak look(const ShallowStage<Real>& stage, const ShallowStart<Real>& start,
+                     const ShallowFields<Real>& change, ShallowFields<Real>& now);
 
   private:
+    template <bool second>
     class Band;
-    template <class Work>
-    ShallowPeak in_bands(Work work);
+    template <bool second, class Now, class Change, class Work>
+    ShallowPeak in_bands(const ShallowStage<Real>& stage, const ShallowStart<Real>& start, Now& now, Change& change,
+                         Work work);
 
     int nx_, ny_;
     bool periodic_x_, periodic_y_;
+    /// What rounding has kept from the rise so far, to be given back with the next step: else what a film gives to deep
+    /// water would be lost, and in single precision the volume would drift.
+    Field<Real> carry_;
     std::vector<Field<Real>> scratch_;  ///< of each thread
 };
 

@@ -55,7 +55,7 @@ class ShallowWater final : public ShallowWaterModel {
     ShallowFrames<Real> frames_;
     ShallowSources<Real> sources_;
     ShallowStart<Real> start_;
-    ShallowFields<Real> now_, middle_;
+    ShallowFields<Real> now_, change_;
     ShallowSweep<Real> sweep_;
     ShallowPeak peak_;
     double side_rate_ = 0;
@@ -79,7 +79,7 @@ ShallowWater<Real>::ShallowWater(const ShallowWaterSettings& s)
       sources_(s),
       start_(s.grid.nx, s.grid.ny),
       now_(s.grid.nx, s.grid.ny),
-      middle_(s.grid.nx, s.grid.ny),
+      change_(s.grid.nx, s.grid.ny),
       sweep_(s.grid.nx, s.grid.ny, std::holds_alternative<PeriodicSide>(s.sides.west),
              std::holds_alternative<PeriodicSide>(s.sides.south)),
       least_step_s_(least_part / still_rate(s)),
@@ -129,21 +129,20 @@ double ShallowWater<Real>::next_step(double remaining_s) {
     return remaining_s / std::ceil(remaining_s / longest);
 }
 
-// Heun's method: u1 = u + dt L(u), then u = (u + u1 + dt L(u1)) / 2; friction follows.
+// Heun's method: change = dt L(u), then u += (change + dt L(u + change)) / 2; friction follows.
 template <class Real>
 void ShallowWater<Real>::step(double dt) {
-    ShallowStage<Real> stage = this->stage(dt);
-    sweep_.run(stage, start_, now_, middle_);
-    frames_.fill(start_, time_s_ + dt, middle_);
-    stage.averages = true;
-    peak_ = sweep_.run(stage, start_, middle_, now_);
+    const ShallowStage<Real> stage = this->stage(dt);
+    sweep_.first_stage(stage, start_, now_, change_);
+    frames_.fill(start_, time_s_ + dt, now_, change_);
+    peak_ = sweep_.second_stage(stage, start_, change_, now_);
     dt_ = dt;
     ++steps_;
 }
 
 template <class Real>
 void ShallowWater<Real>::look() {
-    peak_ = sweep_.look(stage(0), start_, now_);
+    peak_ = sweep_.look(stage(0), start_, change_, now_);
     side_rate_ = frames_.fill(start_, time_s_, now_);
     surface_is_new_ = false;
 }
