@@ -6,4 +6,5 @@
 #define real2 vec2
 #define real3 vec3
 #define int2 ivec2
+#define cbrt(x) pow(x, 1.0 / 3.0)
 #endif

@@ -1,0 +1,142 @@
+// Nonlinear shallow water over ground of height z: depth h, surface e = z + h, velocity (u, v), discharge q = h u.
+//   h_t + (h u)_x + (h v)_y = 0,   (h u)_t + (h u^2)_x + (h u v)_y = -g h e_x   and so along y.
+// Finite volumes: MUSCL on (e, u, v), hydrostatic reconstruction (Audusse, Bouchut, Bristeau, Klein & Perthame 2004, SIAM
+// J. Sci. Comput. 25, 2050), HLL (Harten, Lax & van Leer 1983) with the speeds of Einfeldt (1988) and of dry fronts
+// (Toro 2001, "Shock-capturing methods for free-surface shallow flows", 10.4), Heun's SSP time step.
+// Along one axis n is across a face and t along it; "low" and "high" are its two sides along the axis.
+
+// Velocity of water of depth h and discharge q: q / h above the depth `film`, and smoothly 0 below it (Kurganov & Petrova
+// 2007, Commun. Math. Sci. 5, 133, eq. 2.17 in another form).
+KERNEL real flow_per_discharge(real h, real film) {
+    real m = max(h, film);
+    return real(2) * h / (h * h + m * m);
+}
+
+// How steep a limited slope may be against its smaller one-sided difference: from 1 (minmod) in films thinner than the step of the
+// ground between cells to 2 (Koren) in deep water. Steeper slopes in a film dam it up by their own steps.
+KERNEL real slope_freedom(real h_low, real h, real h_high, real z_low, real z, real z_high) {
+    real ground_step = max(abs(z - z_low), abs(z_high - z));
+    real depth = min(h, min(h_low, h_high));
+    return real(1) + min(depth / (ground_step + real(1e-12)), real(1));
+}
+
+// What a value gains from the centre to each face.
+struct FaceSteps {
+    real low;
+    real high;
+};
+
+// The third-order upwind-biased steps (a + 2 b) / 6 and (2 a + b) / 6, limited (Koren 1993): `before` and `after` are the
+// differences to the neighbours, `freedom` is slope_freedom().
+KERNEL FaceSteps limited_steps(real before, real after, real freedom) {
+    real rising = before + after > real(0) ? real(1) : real(-1);
+    real a = max(rising * before, real(0));
+    real b = max(rising * after, real(0));
+    real most = freedom * min(a, b);
+    real third = real(1) / real(3);
+    real half_rising = real(0.5) * rising;
+    FaceSteps steps;
+    steps.low = -half_rising * min(most, third * (real(2) * a + b));
+    steps.high = half_rising * min(most, third * (a + real(2) * b));
+    return steps;
+}
+
+// The step of the ground from the centre of a cell to its high face, and minus that to its low one: central, limited to
+// twice the one-sided differences (van Leer 1977).
+KERNEL real ground_step(real before, real after) {
+    real rising = before + after > real(0) ? real(1) : real(-1);
+    real a = max(rising * before, real(0));
+    real b = max(rising * after, real(0));
+    return rising * min(min(a, b), real(0.25) * (a + b));
+}
+
+// Depth at a face: of the reconstructed surface over the ground there, but within 0 and twice the cell's own, so that a
+// cell does not offer more than it holds.
+KERNEL real face_depth(real surface, real ground, real h) {
+    return clamp(surface - ground, real(0), real(2) * h);
+}
+
+// The force of the surface's slope within a cell, times the cell's size: g (mean depth) (rise from face to face).
+KERNEL real surface_force(real g, real h_low, real h_high, real e_low, real e_high) {
+    return real(0.5) * g * (h_low + h_high) * (e_high - e_low);
+}
+
+// One side of a face.
+struct FaceWater {
+    real e;
+    real h;
+    real u;  // across the face
+    real v;  // along it
+};
+
+// What passes a face per metre and second. Momentum across it is given as its excess over each side's own hydrostatic
+// pressure at the face: that pressure and the ground's push are balanced within the cell, see surface_force(), so that
+// every term is 0 where the surface is level.
+struct FaceFlux {
+    real mass;
+    real push_low;   // on the cell on the low side
+    real push_high;  // on the cell on the high side
+    real along;      // momentum along the face
+};
+
+// HLL between two depths over a ground that both share.
+KERNEL FaceFlux hll_flux(FaceWater low, FaceWater high, real g) {
+    real c_low = sqrt(g * low.h);
+    real c_high = sqrt(g * high.h);
+    real c_sum = max(c_low + c_high, real(1e-18));
+    real u_roe = (c_low * low.u + c_high * high.u) / c_sum;
+    real c_roe = sqrt(real(0.5) * g * (low.h + high.h));
+    real slow = min(low.u - c_low, u_roe - c_roe);
+    real fast = max(high.u + c_high, u_roe + c_roe);
+    slow = low.h > real(0) ? slow : high.u - real(2) * c_high;
+    fast = high.h > real(0) ? fast : low.u + real(2) * c_low;
+    slow = min(slow, real(0));
+    fast = max(fast, real(0));
+    real per_width = real(1) / max(fast - slow, real(1e-18));
+    real q_low = low.h * low.u;
+    real q_high = high.h * high.u;
+    real both = fast * slow;
+    real pressure_step = real(0.5) * g * (low.h + high.h) * (high.h - low.h);
+    real advected = fast * q_low * low.u - slow * q_high * high.u + both * (q_high - q_low);
+    FaceFlux flux;
+    flux.mass = per_width * (fast * q_low - slow * q_high + both * (high.h - low.h));
+    flux.push_low = per_width * (advected - slow * pressure_step);
+    flux.push_high = per_width * (advected - fast * pressure_step);
+    flux.along = flux.mass * (flux.mass > real(0) ? low.v : high.v);
+    return flux;
+}
+
+// The flux through a face between cells whose grounds may differ there: only what stands above the higher ground meets.
+KERNEL FaceFlux shallow_flux(FaceWater low, FaceWater high, real g) {
+    real ground = max(low.e - low.h, high.e - high.h);
+    low.h = clamp(low.e - ground, real(0), low.h);
+    high.h = clamp(high.e - ground, real(0), high.h);
+    return hll_flux(low, high, g);
+}
+
+// The part of its outflow that a cell of depth h can give within a step, when `outflow` (m/s) leaves it over all faces.
+KERNEL real drain_part(real h, real outflow, real dt) {
+    real wanted = dt * outflow;
+    return wanted > h ? h / wanted * real(0.999999) : real(1);
+}
+
+// What a step of dt leaves of the discharge under Manning's friction, q_t = -g n^2 |q| q / h^(7/3), solved exactly.
+KERNEL real friction_part(real h, real discharge, real g_n2_dt, real film) {
+    real m = max(h, film);
+    return real(1) / (real(1) + g_n2_dt * discharge / (m * m * cbrt(m)));
+}
+
+// Rate (1/s) at which the fastest waves cross a cell, both axes added: the Courant number of a step dt is dt times it.
+KERNEL real crossing_rate(real h, real u, real v, real g, real per_dx, real per_dy) {
+    real c = sqrt(g * h);
+    return (abs(u) + c) * per_dx + (abs(v) + c) * per_dy;
+}
+
+// Slope of the surface, times the cell's size: from the rises to both neighbours (to_low = e_low - e) over those that are
+// deeper than the film; 0 on dry ground.
+KERNEL real shore_slope(real to_low, real to_high, real h_low, real h, real h_high, real film) {
+    real low = h_low > film ? real(1) : real(0);
+    real high = h_high > film ? real(1) : real(0);
+    real neighbours = max(low + high, real(1));
+    return h > film ? (high * to_high - low * to_low) / neighbours : real(0);
+}
