@@ -103,9 +103,19 @@ void check_scalar(const VtkXml& file, vtkXMLDataElement& array) {
                             components));
 }
 
+template <class Real>
+std::vector<Real> numbers_of(VtkXml& file, vtkXMLDataElement& array, std::size_t count) {
+    if constexpr (std::is_same_v<Real, float>) {
+        return file.floats(array, count);
+    } else {
+        return file.doubles(array, count);
+    }
+}
+
 /// Copies one piece of the image to its place; returns how many values it held.
+template <class Real>
 std::size_t read_piece(VtkXml& file, vtkXMLDataElement& piece, const Extent& whole, const Location& at,
-                       std::pair<const std::string&, Field<float>&> wanted) {
+                       std::pair<const std::string&, Field<Real>&> wanted) {
     auto& [name, field] = wanted;
     const Extent part = extent_of(file, piece, "Extent");
     const int nx = at.count(part.x0, part.x1), ny = at.count(part.y0, part.y1);
@@ -115,7 +125,8 @@ std::size_t read_piece(VtkXml& file, vtkXMLDataElement& piece, const Extent& who
     vtkXMLDataElement* array = array_named(piece, at, name);
     if (array == nullptr) reject_missing(file, piece, name);
     check_scalar(file, *array);
-    const std::vector<float> values = file.floats(*array, static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny));
+    const std::vector<Real> values =
+        numbers_of<Real>(file, *array, static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny));
     for (int j = 0; j < ny; ++j) {
         std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(j) * nx, nx,
                     field.row(part.y0 - whole.y0 + j) + (part.x0 - whole.x0));
@@ -132,9 +143,8 @@ std::optional<double> time_of(VtkXml& file, vtkXMLDataElement& image) {
     return {};
 }
 
-}  // namespace
-
-VtiField read_vti(const std::filesystem::path& path, const std::string& name) {
+template <class Real>
+VtiScalars<Real> read_array(const std::filesystem::path& path, const std::string& name) {
     VtkXml file(path, "ImageData");
     vtkXMLDataElement* image = VtkXml::find(file.root(), "ImageData");
     if (image == nullptr) file.reject("has no element ImageData");
@@ -145,14 +155,22 @@ VtiField read_vti(const std::filesystem::path& path, const std::string& name) {
         locations, [&](const Location& location) { return array_named(*pieces[0], location, name) != nullptr; });
     if (at == std::end(locations)) reject_missing(file, *pieces[0], name);
 
-    VtiField field;
+    VtiScalars<Real> field;
     field.grid = grid_of(file, *image, whole, *at);
-    field.values = Field<float>(field.grid.nx, field.grid.ny);
+    field.values = Field<Real>(field.grid.nx, field.grid.ny);
     std::size_t values = 0;
-    for (vtkXMLDataElement* piece : pieces) values += read_piece(file, *piece, whole, *at, {name, field.values});
+    for (vtkXMLDataElement* piece : pieces) values += read_piece<Real>(file, *piece, whole, *at, {name, field.values});
     if (values < field.values.size()) file.reject("has pieces that do not cover its whole extent");
     field.time_s = time_of(file, *image);
     return field;
+}
+
+}  // namespace
+
+VtiField read_vti(const std::filesystem::path& path, const std::string& name) { return read_array<float>(path, name); }
+
+VtiScalars<double> read_vti_double(const std::filesystem::path& path, const std::string& name) {
+    return read_array<double>(path, name);
 }
 
 }  // namespace waterlight

@@ -12,16 +12,21 @@
 namespace waterlight {
 
 /// One scalar array of a .vti file. Point data becomes a grid whose cell centres are the points.
-struct VtiField {
+template <class Real>
+struct VtiScalars {
     Grid grid;
-    Field<float> values;
+    Field<Real> values;
     std::optional<double> time_s;  ///< the file's "TimeValue"
 };
+using VtiField = VtiScalars<float>;
 
 /// Reads the scalar array `name`, float or double, of the cells or else the points of a flat, unrotated image (one cell
 /// or one point along z, in any format of VTK's). Throws InputError that names the file and what is wrong with it: for
 /// a missing array, the array wanted and those found. Prints nothing.
 VtiField read_vti(const std::filesystem::path& path, const std::string& name);
+
+/// The same array in double precision.
+VtiScalars<double> read_vti_double(const std::filesystem::path& path, const std::string& name);
 
 /// One file of a series.
 struct TimedFile {

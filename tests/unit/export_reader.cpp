@@ -78,6 +78,10 @@ TEST(VtiReader, TakesCellsAndPointsInFloatAndDoubleAndEveryMode) {
         EXPECT_EQ(p.grid, (Grid{7, 5, 0.5, 0.25, 10.75, 20.125}));
         EXPECT_EQ(p.grid.x_m(0), 11) << "the first point is the first cell's centre";
         EXPECT_EQ(p.values(6, 4), 0.5F * 34);
+        points->SetComponent(0, 0, 10000.1);
+        write(*image, folder / "i.vti", mode);
+        EXPECT_EQ(read_vti_double(folder / "i.vti", "points").values(0, 0), 10000.1);
+        EXPECT_EQ(read_vti_double(folder / "i.vti", "cells").values(5, 3), 0.5 * 23);
     }
 }
 
