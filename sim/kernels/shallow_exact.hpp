@@ -1,0 +1,7 @@
+#pragma once
+
+#include "sim/kernels/real.hpp"
+
+namespace waterlight::f64 {
+#include "sim/kernels/shallow_exact.glsl"
+}
