@@ -128,7 +128,7 @@ void find_faces(const CellRow<Real>& before, const CellRow<Real>& at, const Cell
         const Steps rise = limited_steps(e[i] - e0[i], e1[i] - e[i], freedom);
         const Steps across = limited_steps(u[i] - u0[i], u1[i] - u[i], freedom);
         const Steps along = limited_steps(v[i] - v0[i], v1[i] - v[i], freedom);
-        const Real e_low = e[i] + rise.low;
+        const Real e_low = e[i] - rise.low;
         const Real e_high = e[i] + rise.high;
         const Real h_low = face_depth(e_low, z[i] - ground, h[i]);
         const Real h_high = face_depth(e_high, z[i] + ground, h[i]);
@@ -136,9 +136,9 @@ void find_faces(const CellRow<Real>& before, const CellRow<Real>& at, const Cell
         he[i] = e_high;
         lh[i] = h_low;
         hh[i] = h_high;
-        lu[i] = u[i] + across.low;
+        lu[i] = u[i] - across.low;
         hu[i] = u[i] + across.high;
-        lv[i] = v[i] + along.low;
+        lv[i] = v[i] - along.low;
         hv[i] = v[i] + along.high;
         force[i] = surface_force(gravity, h_low, h_high, e_low, e_high);
     }

@@ -1,8 +1,8 @@
 // Nonlinear shallow water over ground of height z: depth h, surface e = z + h, velocity (u, v), discharge q = h u.
 //   h_t + (h u)_x + (h v)_y = 0,   (h u)_t + (h u^2)_x + (h u v)_y = -g h e_x   and so along y.
 // Finite volumes: MUSCL on (e, u, v), hydrostatic reconstruction (Audusse, Bouchut, Bristeau, Klein & Perthame 2004, SIAM
-// J. Sci. Comput. 25, 2050), HLL (Harten, Lax & van Leer 1983) with the speeds of Einfeldt (1988) and of dry fronts
-// (Toro 2001, "Shock-capturing methods for free-surface shallow flows", 10.4), Heun's SSP time step.
+// J. Sci. Comput. 25, 2050), HLL (Harten, Lax & van Leer 1983) with the speeds of Toro 2001, "Shock-capturing methods for
+// free-surface shallow flows", 10.5.1: two rarefactions, or dry fronts; Heun's SSP time step.
 // Along one axis n is across a face and t along it; "low" and "high" are its two sides along the axis.
 
 // Velocity of water of depth h and discharge q: q / h above the depth `film`, and smoothly 0 below it (Kurganov & Petrova
@@ -12,32 +12,30 @@ KERNEL real flow_per_discharge(real h, real film) {
     return real(2) * h / (h * h + m * m);
 }
 
-// How steep a limited slope may be against its smaller one-sided difference: from 1 (minmod) in films thinner than the step of the
-// ground between cells to 2 (Koren) in deep water. Steeper slopes in a film dam it up by their own steps.
+// Half of how steep a limited slope may be against its smaller one-sided difference: that is from 1 (minmod) in films
+// thinner than the step of the ground between cells to 2 (Koren) in deep water. Steeper slopes in a film would dam it up
+// by steps of their own.
 KERNEL real slope_freedom(real h_low, real h, real h_high, real z_low, real z, real z_high) {
     real ground_step = max(abs(z - z_low), abs(z_high - z));
     real depth = min(h, min(h_low, h_high));
-    return real(1) + min(depth / (ground_step + real(1e-12)), real(1));
+    return real(0.5) + real(0.5) * min(depth / (ground_step + real(1e-12)), real(1));
 }
 
-// What a value gains from the centre to each face.
+// How much a value lies lower at the low face than at the centre, and higher at the high face.
 struct FaceSteps {
     real low;
     real high;
 };
 
-// The third-order upwind-biased steps (a + 2 b) / 6 and (2 a + b) / 6, limited (Koren 1993): `before` and `after` are the
-// differences to the neighbours, `freedom` is slope_freedom().
-KERNEL FaceSteps limited_steps(real before, real after, real freedom) {
-    real rising = before + after > real(0) ? real(1) : real(-1);
-    real a = max(rising * before, real(0));
-    real b = max(rising * after, real(0));
-    real most = freedom * min(a, b);
-    real third = real(1) / real(3);
-    real half_rising = real(0.5) * rising;
+// The third-order upwind-biased steps (2 a + b) / 6 and (a + 2 b) / 6 from the differences a, b to the neighbours, limited
+// (Koren 1993) to `freedom`, see slope_freedom(), times the smaller of a and b, and to 0 where they differ in sign.
+KERNEL FaceSteps limited_steps(real a, real b, real freedom) {
+    real most = freedom * max(min(a, b), real(0));
+    real least = freedom * min(max(a, b), real(0));
+    real sixth = real(1) / real(6);
     FaceSteps steps;
-    steps.low = -half_rising * min(most, third * (real(2) * a + b));
-    steps.high = half_rising * min(most, third * (a + real(2) * b));
+    steps.low = max(min(sixth * (a + a + b), most), least);
+    steps.high = max(min(sixth * (a + b + b), most), least);
     return steps;
 }
 
@@ -79,15 +77,15 @@ struct FaceFlux {
     real along;      // momentum along the face
 };
 
-// HLL between two depths over a ground that both share.
+// HLL between two depths over a ground that both share. The middle depth is never negative, since no wave is taken for
+// slower than the water and its own waves on its side.
 KERNEL FaceFlux hll_flux(FaceWater low, FaceWater high, real g) {
     real c_low = sqrt(g * low.h);
     real c_high = sqrt(g * high.h);
-    real c_sum = max(c_low + c_high, real(1e-18));
-    real u_roe = (c_low * low.u + c_high * high.u) / c_sum;
-    real c_roe = sqrt(real(0.5) * g * (low.h + high.h));
-    real slow = min(low.u - c_low, u_roe - c_roe);
-    real fast = max(high.u + c_high, u_roe + c_roe);
+    real u_middle = real(0.5) * (low.u + high.u) + c_low - c_high;
+    real c_middle = real(0.5) * (c_low + c_high) + real(0.25) * (low.u - high.u);
+    real slow = min(low.u - c_low, u_middle - c_middle);
+    real fast = max(high.u + c_high, u_middle + c_middle);
     slow = low.h > real(0) ? slow : high.u - real(2) * c_high;
     fast = high.h > real(0) ? fast : low.u + real(2) * c_low;
     slow = min(slow, real(0));
