@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "sim/kernels/shallow_sides.hpp"
 #include "sim/kernels/shallow_water.hpp"
 
 namespace waterlight {
@@ -48,47 +47,28 @@ Real value(const FramedRows<Real>& field, Place at) {
     return field.row(at.j)[at.i];
 }
 
-/// Where the frame takes its values from: the depth (SideView) of the place that stands for frame cell -1 or -2.
-int source_of(const ShallowSide& side, const SideView& view, int frame) {
-    if (is_periodic(side)) return view.across() + frame < 0 ? 0 : view.across() + frame;
-    return is_walled(side) ? std::min(-1 - frame, view.across() - 1) : 0;
-}
+/// What each kind of side asks for. The velocity of a flow is turned into the side's own axes.
+struct Demand {
+    const SideView& view;
+    double time_s;
 
-/// The water beyond a side of each kind, from the water inside. u is the velocity into the domain.
-struct Beyond {
-    double time_s, gravity, ground, inward;
-    bool along_y;
-    f64::SideWater inside;
-    double inside_v;  // along the side
-
-    struct Water {
-        f64::SideWater at;
-        double v;
-    };
-    Water operator()(const WallSide&) const { return {{inside.h, -inside.u}, inside_v}; }
-    Water operator()(const PeriodicSide&) const { return {inside, inside_v}; }
-    Water operator()(const OpenSide&) const { return wave(0); }
-    Water operator()(const IncidentSide& side) const {
-        return wave(time_s <= side.elevation_m.end_s() ? side.elevation_m.at(time_s) : 0);
+    using Result = f64::SideDemand;
+    Result operator()(const WallSide&) const { return {BEYOND_WALL, 0, 0, 0}; }
+    Result operator()(const PeriodicSide&) const { return {BEYOND_PERIODIC, 0, 0, 0}; }
+    Result operator()(const OpenSide&) const { return {BEYOND_WAVE, 0, 0, 0}; }
+    Result operator()(const IncidentSide& side) const {
+        return {BEYOND_WAVE, time_s <= side.elevation_m.end_s() ? side.elevation_m.at(time_s) : 0, 0, 0};
     }
-    Water operator()(const DischargeSide& side) const {
-        return {f64::river_water(inside, side.discharge_m2_s.at(time_s), gravity), 0};
+    Result operator()(const DischargeSide& side) const {
+        return {BEYOND_DISCHARGE, side.discharge_m2_s.at(time_s), 0, 0};
     }
-    Water operator()(const LevelSide& side) const {
-        const f64::SideWater at = f64::held_water(inside, side.elevation_m.at(time_s) - ground, gravity);
-        return {at, at.u > 0 ? 0 : inside_v};
-    }
-    Water operator()(const FlowSide& side) const {
+    Result operator()(const LevelSide& side) const { return {BEYOND_LEVEL, side.elevation_m.at(time_s), 0, 0}; }
+    Result operator()(const FlowSide& side) const {
         const glm::dvec2 v = side.velocity_m_s;
-        const double across = along_y ? v.x : v.y, along = along_y ? v.y : v.x;
-        return {{std::max(side.elevation_m - ground, 0.0), inward * across}, along};
+        return {BEYOND_FLOW, side.elevation_m, view.inward() * (view.along_y ? v.x : v.y), view.along_y ? v.y : v.x};
     }
-    Water operator()(const PistonSide& side) const {
-        return {{inside.h, 2 * side.displacement_m.rate_at(time_s) - inside.u}, inside_v};
-    }
-    Water wave(double elevation_m) const {
-        const double coming_in = f64::incident_characteristic(-ground, elevation_m, gravity);
-        return {f64::side_water(inside, coming_in, gravity), inside_v};
+    Result operator()(const PistonSide& side) const {
+        return {BEYOND_PISTON, side.displacement_m.rate_at(time_s), 0, 0};
     }
 };
 
@@ -106,22 +86,34 @@ ShallowFrames<Real>::ShallowFrames(const Grid& grid, const ShallowSides& sides, 
 
 namespace {
 
-/// Calls work(side, view) for the four sides.
-template <class Work>
-void for_sides(const Grid& grid, const ShallowSides& sides, Work work) {
-    work(sides.west, SideView{true, false, grid.nx, grid.ny});
-    work(sides.east, SideView{true, true, grid.nx, grid.ny});
-    work(sides.south, SideView{false, false, grid.nx, grid.ny});
-    work(sides.north, SideView{false, true, grid.nx, grid.ny});
+std::array<SideView, 4> views_of(const Grid& grid) {
+    const int nx = grid.nx, ny = grid.ny;
+    return {SideView{true, false, nx, ny}, {true, true, nx, ny}, {false, false, nx, ny}, {false, true, nx, ny}};
 }
 
 }  // namespace
 
+SideDemands side_demands(const ShallowSides& sides, double time_s) {
+    const std::array<const ShallowSide*, 4> all{&sides.west, &sides.east, &sides.south, &sides.north};
+    const std::array<SideView, 4> views = views_of({});
+    SideDemands demands;
+    for (std::size_t n = 0; n < all.size(); ++n) demands[n] = std::visit(Demand{views[n], time_s}, *all[n]);
+    return demands;
+}
+
+template <class Real>
+template <class Work>
+void ShallowFrames<Real>::for_sides(double time_s, Work work) const {
+    const SideDemands demands = side_demands(sides_, time_s);
+    const std::array<SideView, 4> views = views_of(grid_);
+    for (std::size_t n = 0; n < views.size(); ++n) work(demands[n], views[n]);
+}
+
 template <class Real>
 void ShallowFrames<Real>::fill(ShallowStart<Real>& start) const {
-    for_sides(grid_, sides_, [&](const ShallowSide& side, const SideView& view) {
+    for_sides(0, [&](const SideDemand& demand, const SideView& view) {
         for (int frame = -2; frame < 0; ++frame) {
-            const int from = source_of(side, view, frame);
+            const int from = f64::frame_source(demand.kind, frame, view.across());
             for (int n = 0; n < view.count(); ++n) {
                 value(start.surface, view.at(n, frame)) = value(start.surface, view.at(n, from));
                 value(start.depth, view.at(n, frame)) = value(start.depth, view.at(n, from));
@@ -134,12 +126,12 @@ namespace {
 
 /// Copies the frame of one side: mirrored at a wall, repeated where periodic.
 template <class Real>
-void copy_frame(const ShallowSide& side, const SideView& view, ShallowFields<Real>& fields) {
+void copy_frame(int kind, const SideView& view, ShallowFields<Real>& fields) {
     FramedRows<Real>& across = view.along_y ? fields.qx : fields.qy;
     FramedRows<Real>& along = view.along_y ? fields.qy : fields.qx;
-    const Real sign = is_periodic(side) ? Real(1) : Real(-1);
+    const Real sign = kind == BEYOND_PERIODIC ? Real(1) : Real(-1);
     for (int frame = -2; frame < 0; ++frame) {
-        const int depth = source_of(side, view, frame);
+        const int depth = f64::frame_source(kind, frame, view.across());
         for (int n = 0; n < view.count(); ++n) {
             const Place from = view.at(n, depth), to = view.at(n, frame);
             value(fields.rise, to) = value(fields.rise, from);
@@ -149,7 +141,7 @@ void copy_frame(const ShallowSide& side, const SideView& view, ShallowFields<Rea
     }
 }
 
-bool copies(const ShallowSide& side) { return is_periodic(side) || std::holds_alternative<WallSide>(side); }
+bool copies(const SideDemand& demand) { return demand.kind == BEYOND_PERIODIC || demand.kind == BEYOND_WALL; }
 
 /// A cell of the state: the surface's rise and the discharge across and along a side.
 struct Cell {
@@ -173,28 +165,25 @@ void set_cell(const Cell& cell, const SideView& view, Place at, ShallowFields<Re
 
 template <class Real>
 template <class Inside, class Put>
-double ShallowFrames<Real>::find_beyond(const ShallowSide& side, const SideView& view, const ShallowStart<Real>& start,
-                                        double time_s, const std::pair<Inside, Put>& cells) const {
+double ShallowFrames<Real>::find_beyond(const SideDemand& demand, const SideView& view, const ShallowStart<Real>& start,
+                                        const std::pair<Inside, Put>& cells) const {
     double fastest = 0;
     for (int frame = -2; frame < 0; ++frame) {
+        const int depth = f64::frame_source(demand.kind, frame, view.across());
         for (int n = 0; n < view.count(); ++n) {
-            const Place from = view.at(n, source_of(side, view, frame)), to = view.at(n, frame);
+            const Place from = view.at(n, depth);
             const Cell inside = cells.first(from);
-            const double still = value(start.depth, from);
-            const double h = still + inside.rise;
+            const double surface = value(start.surface, from), still = value(start.depth, from);
+            const double h = std::max(still + inside.rise, 0.0);
             const double flow = f64::flow_per_discharge(h, film_);
-            const Beyond beyond{time_s,
-                                gravity_,
-                                value(start.surface, from) - still,
-                                view.inward(),
-                                view.along_y,
-                                {h, view.inward() * flow * inside.across},
-                                flow * inside.along};
-            const Beyond::Water water = std::visit(beyond, side);
-            const double u = view.inward() * water.at.u;
-            cells.second(to, Cell{water.at.h - value(start.depth, to), water.at.h * u, water.at.h * water.v});
+            const f64::SideWater water{h, surface + inside.rise, still - surface, view.inward() * flow * inside.across,
+                                       flow * inside.along};
+            const f64::BeyondWater beyond = f64::beyond_side(demand, water, gravity_);
+            const double rise = beyond.deeper > -h ? inside.rise + beyond.deeper : -still;  // dry to the last digit
+            const double h_beyond = std::max(h + beyond.deeper, 0.0), u = view.inward() * beyond.u;
+            cells.second(view.at(n, frame), Cell{rise, h_beyond * u, h_beyond * beyond.v});
             fastest =
-                std::max(fastest, f64::crossing_rate(water.at.h, view.along_y ? u : water.v, view.along_y ? water.v : u,
+                std::max(fastest, f64::crossing_rate(h_beyond, view.along_y ? u : beyond.v, view.along_y ? beyond.v : u,
                                                      gravity_, 1 / grid_.dx_m, 1 / grid_.dy_m));
         }
     }
@@ -204,11 +193,11 @@ double ShallowFrames<Real>::find_beyond(const ShallowSide& side, const SideView&
 template <class Real>
 double ShallowFrames<Real>::fill(const ShallowStart<Real>& start, double time_s, ShallowFields<Real>& now) const {
     double fastest = 0;
-    for_sides(grid_, sides_, [&](const ShallowSide& side, const SideView& view) {
-        if (copies(side)) return copy_frame(side, view, now);
+    for_sides(time_s, [&](const SideDemand& demand, const SideView& view) {
+        if (copies(demand)) return copy_frame(demand.kind, view, now);
         const auto inside = [&](Place at) { return cell(now, view, at); };
         const auto put = [&](Place at, const Cell& beyond) { set_cell(beyond, view, at, now); };
-        fastest = std::max(fastest, find_beyond(side, view, start, time_s, std::pair{inside, put}));
+        fastest = std::max(fastest, find_beyond(demand, view, start, std::pair{inside, put}));
     });
     return fastest;
 }
@@ -216,8 +205,8 @@ double ShallowFrames<Real>::fill(const ShallowStart<Real>& start, double time_s,
 template <class Real>
 void ShallowFrames<Real>::fill(const ShallowStart<Real>& start, double time_s, const ShallowFields<Real>& now,
                                ShallowFields<Real>& change) const {
-    for_sides(grid_, sides_, [&](const ShallowSide& side, const SideView& view) {
-        if (copies(side)) return copy_frame(side, view, change);
+    for_sides(time_s, [&](const SideDemand& demand, const SideView& view) {
+        if (copies(demand)) return copy_frame(demand.kind, view, change);
         const auto inside = [&](Place at) {
             const Cell a = cell(now, view, at), b = cell(change, view, at);
             return Cell{a.rise + b.rise, a.across + b.across, a.along + b.along};
@@ -226,7 +215,7 @@ void ShallowFrames<Real>::fill(const ShallowStart<Real>& start, double time_s, c
             const Cell a = cell(now, view, at);
             set_cell({beyond.rise - a.rise, beyond.across - a.across, beyond.along - a.along}, view, at, change);
         };
-        find_beyond(side, view, start, time_s, std::pair{inside, put});
+        find_beyond(demand, view, start, std::pair{inside, put});
     });
 }
 

@@ -1,8 +1,12 @@
 // What lies beyond the sides of the shallow-water model: fills the frames of its fields.
 #pragma once
 
+#include <array>
+#include <utility>
+
 #include "sim/boundary.hpp"
 #include "sim/grid.hpp"
+#include "sim/kernels/shallow_sides.hpp"
 #include "sim/shallow_rows.hpp"
 #include "sim/shallow_water.hpp"
 
@@ -12,9 +16,16 @@ namespace waterlight {
 /// water pass on both sides absorbs.
 Boundary boundary_of(const ShallowSides& sides);
 
+/// Of west, east, south and north.
+using SideDemands = std::array<f64::SideDemand, 4>;
+
+/// What the sides ask for at time_s.
+SideDemands side_demands(const ShallowSides& sides, double time_s);
+
 namespace shallow_sides {
 struct SideView;
-}
+using f64::SideDemand;
+}  // namespace shallow_sides
 
 template <class Real>
 class ShallowFrames {
@@ -33,11 +44,14 @@ class ShallowFrames {
               ShallowFields<Real>& change) const;
 
   private:
+    /// Calls work(demand, view) for the four sides.
+    template <class Work>
+    void for_sides(double time_s, Work work) const;
     /// Of each frame cell of a side what lies beyond: cells.first gives what is inside, cells.second takes what is
     /// beyond.
     template <class Inside, class Put>
-    double find_beyond(const ShallowSide& side, const shallow_sides::SideView& view, const ShallowStart<Real>& start,
-                       double time_s, const std::pair<Inside, Put>& cells) const;
+    double find_beyond(const f64::SideDemand& demand, const shallow_sides::SideView& view,
+                       const ShallowStart<Real>& start, const std::pair<Inside, Put>& cells) const;
 
     Grid grid_;
     ShallowSides sides_;
