@@ -2,6 +2,7 @@
 target_sources(waterlight_sim PRIVATE
     shallow_check.cpp
     shallow_disturbance.cpp
+    shallow_model.cpp
     shallow_records.cpp
     shallow_sides.cpp
     shallow_surface.cpp

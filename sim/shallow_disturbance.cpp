@@ -27,8 +27,7 @@ double allowed(double gain_m, double h) { return h > 0 ? std::max(gain_m, -h) : 
 
 }  // namespace
 
-template <class Real>
-ShallowSources<Real>::ShallowSources(const ShallowWaterSettings& s)
+ShallowSources::ShallowSources(const ShallowWaterSettings& s)
     : grid_(s.grid), boundary_(boundary_of(s.sides)), sources_(s.sources) {
     for (const Source& source : sources_) {
         const auto* maker = std::get_if<Wavemaker>(&source);
@@ -41,8 +40,7 @@ ShallowSources<Real>::ShallowSources(const ShallowWaterSettings& s)
     }
 }
 
-template <class Real>
-std::vector<Drop> ShallowSources<Real>::drops_in(double from_s, double to_s) const {
+std::vector<Drop> ShallowSources::drops_in(double from_s, double to_s) const {
     std::vector<Drop> found;
     for (const Source& source : sources_) {
         if (const auto* drop = std::get_if<Drop>(&source)) {
@@ -55,22 +53,17 @@ std::vector<Drop> ShallowSources<Real>::drops_in(double from_s, double to_s) con
     return found;
 }
 
-template <class Real>
-bool ShallowSources<Real>::act(double from_s, double to_s, const ShallowStart<Real>& start,
-                               ShallowFields<Real>& fields) const {
-    if (sources_.empty()) return false;
-    const std::vector<Drop> drops = drops_in(from_s, to_s);
-    for (const Drop& drop : drops) disturb(drop_patch(drop, grid_, boundary_), start, fields);
-    bool acted = !drops.empty();
+std::vector<DropPatch> ShallowSources::between(double from_s, double to_s) const {
+    std::vector<DropPatch> patches;
+    for (const Drop& drop : drops_in(from_s, to_s)) patches.push_back(drop_patch(drop, grid_, boundary_));
     for (const Maker& m : makers_) {
         const double amount = (to_s - from_s) * inflow_signal(m.maker, 0.5 * (from_s + to_s));
         if (amount == 0) continue;
         DropPatch patch{0, 0, m.inflow_m_s.clone()};
         for (double& value : patch.elevation_m.values()) value *= amount;
-        disturb(patch, start, fields);
-        acted = true;
+        patches.push_back(std::move(patch));
     }
-    return acted;
+    return patches;
 }
 
 template <class Real>
@@ -93,8 +86,6 @@ void disturb(const DropPatch& patch, const ShallowStart<Real>& start, ShallowFie
     });
 }
 
-template class ShallowSources<float>;
-template class ShallowSources<double>;
 template void disturb<float>(const DropPatch&, const ShallowStart<float>&, ShallowFields<float>&);
 template void disturb<double>(const DropPatch&, const ShallowStart<double>&, ShallowFields<double>&);
 

@@ -8,13 +8,12 @@
 
 namespace waterlight {
 
-template <class Real>
 class ShallowSources {
   public:
     explicit ShallowSources(const ShallowWaterSettings& settings);
 
-    /// What happens in (from_s, to_s], or at 0 where both are 0. Returns whether there was anything.
-    bool act(double from_s, double to_s, const ShallowStart<Real>& start, ShallowFields<Real>& fields) const;
+    /// What happens in (from_s, to_s], or at 0 where both are 0: patches for disturb(), in order.
+    std::vector<DropPatch> between(double from_s, double to_s) const;
 
   private:
     struct Maker {
@@ -35,7 +34,7 @@ class ShallowSources {
 template <class Real>
 void disturb(const DropPatch& patch, const ShallowStart<Real>& start, ShallowFields<Real>& fields);
 
-extern template class ShallowSources<float>;
-extern template class ShallowSources<double>;
+extern template void disturb<float>(const DropPatch&, const ShallowStart<float>&, ShallowFields<float>&);
+extern template void disturb<double>(const DropPatch&, const ShallowStart<double>&, ShallowFields<double>&);
 
 }  // namespace waterlight

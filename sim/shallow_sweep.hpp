@@ -4,24 +4,9 @@
 #include <vector>
 
 #include "sim/shallow_rows.hpp"
+#include "sim/shallow_solver.hpp"
 
 namespace waterlight {
-
-/// What a stage needs to know besides the fields.
-template <class Real>
-struct ShallowStage {
-    Real dt = 0;
-    Real per_dx = 0, per_dy = 0;  ///< 1/m
-    Real gravity = 0;
-    Real film = 0;      ///< m; see flow_per_discharge()
-    Real friction = 0;  ///< g n^2 dt, applied at the end of the step where it is above 0
-};
-
-/// What a stage saw of its result.
-struct ShallowPeak {
-    double rate = 0;  ///< 1/s, largest crossing_rate()
-    bool finite = true;
-};
 
 /// Stages for one grid. Fields are handled in bands of rows, one a thread; each row comes out the same whatever the
 /// bands.
