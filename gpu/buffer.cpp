@@ -53,7 +53,7 @@ Buffer::Buffer(std::shared_ptr<Context> context, std::size_t bytes, BufferUse us
         if (!host) return;
         // Reading memory that the host does not cache is slow; writing it is not.
         const vk::MemoryPropertyFlags best =
-            use == BufferUse::to_host ? seen_by_host | Property::eHostCached : seen_by_host;
+            use == BufferUse::from_host ? seen_by_host : seen_by_host | Property::eHostCached;
         impl_->staging = allocate(c, bytes, Usage::eTransferSrc | Usage::eTransferDst, {best, seen_by_host});
         impl_->mapped = impl_->staging.memory.mapMemory(0, VK_WHOLE_SIZE);
     });

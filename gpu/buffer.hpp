@@ -14,7 +14,8 @@ namespace waterlight::gpu {
 enum class BufferUse {
     device,     ///< nobody
     from_host,  ///< the host writes it: fill host(), then Commands::upload()
-    to_host     ///< the host reads it: Commands::download(), run(), then read host()
+    to_host,    ///< the host reads it: Commands::download(), run(), then read host()
+    both        ///< the host writes and reads it
 };
 
 /// Storage that passes read and write. Where device and host share one memory, host() is that memory itself and nothing

@@ -86,7 +86,7 @@ Commands& Commands::operator=(Commands&&) noexcept = default;
 
 void Commands::upload(const Buffer& buffer) {
     const Buffer::Impl& b = buffer.impl();
-    assert(b.use == BufferUse::from_host);
+    assert(b.use == BufferUse::from_host || b.use == BufferUse::both);
     if (!b.staged()) return;
     impl_->begin().copyBuffer(*b.staging.handle, *b.main.handle, vk::BufferCopy(0, 0, b.bytes));
     impl_->barrier(device_stages, device_accesses);
@@ -94,7 +94,7 @@ void Commands::upload(const Buffer& buffer) {
 
 void Commands::download(const Buffer& buffer) {
     const Buffer::Impl& b = buffer.impl();
-    assert(b.use == BufferUse::to_host);
+    assert(b.use == BufferUse::to_host || b.use == BufferUse::both);
     const vk::raii::CommandBuffer& list = impl_->begin();
     if (b.staged()) list.copyBuffer(*b.main.handle, *b.staging.handle, vk::BufferCopy(0, 0, b.bytes));
     impl_->barrier(Stage::eHost, Access::eHostRead);

@@ -1,0 +1,28 @@
+// What the passes of the shallow-water model work on: fields of nx + 4 by ny + 4 cells, two beyond every side, x fastest.
+#extension GL_GOOGLE_include_directive : require
+
+#include "sim/kernels/real.glsl"
+
+#include "sim/kernels/shallow_sides.glsl"
+#include "sim/kernels/shallow_water.glsl"
+#include "sim/shaders/shallow_parameters.glsl"
+
+layout(local_size_x_id = 0, local_size_y_id = 1, local_size_z_id = 2) in;
+
+layout(push_constant) uniform Push { ShallowParameters p; };
+// Surface and depth at the start.
+layout(std430, binding = 0) readonly buffer Start { vec2 start[]; };
+// Rise, discharge along x and y, and the carry of the rise: what rounding has kept from it so far.
+layout(std430, binding = 1) buffer Now { vec4 now[]; };
+// What the first stage adds to rise and discharge, and the depth that it leads to.
+layout(std430, binding = 2) buffer Change { vec4 change[]; };
+// Through the low face of a cell along x and along y: mass, momentum along the face, push on the cell on the low side,
+// and push on this cell less the force of the surface within it.
+layout(std430, binding = 3) buffer FluxX { vec4 flux_x[]; };
+layout(std430, binding = 4) buffer FluxY { vec4 flux_y[]; };
+// Bits of the largest crossing rate: of numbers that are not negative they have the same order, and a NaN is on top.
+layout(std430, binding = 5) buffer Peak { uint peak; };
+
+int at(int i, int j) { return (j + 2) * (p.nx + 4) + i + 2; }
+
+uint rate_bits(real rate) { return floatBitsToUint(rate) & 0x7fffffffu; }

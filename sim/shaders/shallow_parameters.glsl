@@ -1,0 +1,15 @@
+// What the host tells the passes of the shallow-water model. C++ and GLSL include the same text after
+// sim/kernels/shallow_sides.glsl: scalars of four bytes only, so that both lay it out alike.
+
+struct ShallowParameters {
+    int nx, ny;
+    int periodic_x, periodic_y;
+    // Of ShallowStage.
+    float dt;
+    float per_dx, per_dy;
+    float gravity;
+    float film;
+    float friction;
+    int stage;  // 1 and 2: the stages of a step; 0: a look at what is there
+    SideDemand sides[4];  // west, east, south, north
+};

@@ -1,0 +1,186 @@
+#include "sim/shallow_water_vulkan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include "gpu/buffer.hpp"
+#include "gpu/commands.hpp"
+#include "gpu/pass.hpp"
+#include "shaders/shallow_flux.hpp"
+#include "shaders/shallow_frame.hpp"
+#include "shaders/shallow_update.hpp"
+#include "sim/shallow_model.hpp"
+#include "sim/shallow_sides.hpp"
+
+namespace waterlight {
+
+namespace {
+
+using f32::SideDemand;
+
+#include "sim/shaders/shallow_parameters.glsl"
+
+using gpu::BufferUse;
+
+constexpr int frame = FramedRows<float>::frame;
+constexpr std::array<std::uint32_t, 3> tile_workgroup{32, 8, 1};
+constexpr std::array<std::uint32_t, 3> side_workgroup{64, 1, 1};
+
+/// Three passes a stage: fluxes, what they make of the cells, and what lies beyond the sides then.
+class VulkanSolver final : public ShallowSolver<float> {
+  public:
+    VulkanSolver(const ShallowWaterSettings& s, const std::shared_ptr<gpu::Context>& context)
+        : constants_(s),
+          sides_(s.sides),
+          nx_(s.grid.nx),
+          ny_(s.grid.ny),
+          start_(nx_, ny_),
+          fields_(nx_, ny_),
+          flux_(context, pass("shallow water: flux", shaders::shallow_flux, tile_workgroup)),
+          update_(context, pass("shallow water: update", shaders::shallow_update, tile_workgroup)),
+          frame_(context, pass("shallow water: frame", shaders::shallow_frame, side_workgroup)),
+          start_buffer_(context, cells() * sizeof(glm::vec2), BufferUse::from_host),
+          now_(context, cells() * sizeof(glm::vec4), BufferUse::both),
+          change_(context, cells() * sizeof(glm::vec4), BufferUse::device),
+          flux_x_(context, cells() * sizeof(glm::vec4), BufferUse::device),
+          flux_y_(context, cells() * sizeof(glm::vec4), BufferUse::device),
+          peak_(context, sizeof(std::uint32_t), BufferUse::to_host),
+          commands_(context) {
+        for (gpu::Pass* pass : {&flux_, &update_, &frame_})
+            pass->bind({&start_buffer_, &now_, &change_, &flux_x_, &flux_y_, &peak_});
+        set_start(s, start_, fields_);
+        ShallowFrames<float>(s.grid, s.sides, constants_.gravity, constants_.film).fill(start_);
+        const std::span<glm::vec2> start = start_buffer_.host<glm::vec2>();
+        for_cells([&](int i, int j, std::size_t at) {
+            start[at] = {start_.surface.row(j)[i], start_.depth.row(j)[i]};
+        });
+        std::ranges::fill(now_.host<glm::vec4>(), glm::vec4(0));
+        commands_.upload(start_buffer_);
+    }
+
+    const ShallowStart<float>& start() const override { return start_; }
+
+    ShallowFields<float>& fields() override {
+        if (fields_are_new_) return fields_;
+        commands_.download(now_);
+        commands_.run();
+        const std::span<const glm::vec4> now = now_.host<glm::vec4>();
+        for_cells([&](int i, int j, std::size_t at) {
+            fields_.rise.row(j)[i] = now[at].x;
+            fields_.qx.row(j)[i] = now[at].y;
+            fields_.qy.row(j)[i] = now[at].z;
+        });
+        fields_are_new_ = true;
+        return fields_;
+    }
+
+    ShallowPeak look(double time_s) override {
+        if (fields_are_new_) upload_fields();
+        ShallowParameters parameters = this->parameters(time_s, 0);
+        commands_.clear(peak_);
+        commands_.dispatch(update_, cells_extent(), parameters);
+        commands_.dispatch(frame_, frame_extent(), parameters);
+        return run();
+    }
+
+    ShallowPeak step(double time_s, double dt) override {
+        ShallowParameters parameters = this->parameters(time_s + dt, dt);
+        commands_.clear(peak_);
+        for (parameters.stage = 1; parameters.stage <= 2; ++parameters.stage) {
+            commands_.dispatch(flux_, faces_extent(), parameters);
+            commands_.dispatch(update_, cells_extent(), parameters);
+            commands_.dispatch(frame_, frame_extent(), parameters);
+        }
+        return run();
+    }
+
+  private:
+    static gpu::PassSettings pass(const char* name, std::span<const std::uint32_t> spirv,
+                                  std::array<std::uint32_t, 3> workgroup) {
+        return {name, spirv, 6, sizeof(ShallowParameters), workgroup};
+    }
+
+    std::size_t cells() const {
+        return static_cast<std::size_t>(nx_ + 2 * frame) * static_cast<std::size_t>(ny_ + 2 * frame);
+    }
+    /// Calls work(i, j, at) for all cells and those of the frame; `at` is their place in the buffers.
+    template <class Work>
+    void for_cells(Work work) const {
+#pragma omp parallel for schedule(static)
+        for (int j = -frame; j < ny_ + frame; ++j) {
+            std::size_t at = static_cast<std::size_t>(j + frame) * static_cast<std::size_t>(nx_ + 2 * frame);
+            for (int i = -frame; i < nx_ + frame; ++i) work(i, j, at++);
+        }
+    }
+
+    static gpu::Extent extent(int x, int y, int z) {
+        return {static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(z)};
+    }
+    gpu::Extent cells_extent() const { return extent(nx_, ny_, 1); }
+    gpu::Extent faces_extent() const { return extent(nx_ + 1, ny_ + 1, 1); }
+    gpu::Extent frame_extent() const { return extent(std::max(nx_, ny_), frame, 4); }
+
+    /// With the sides as they are at time_s.
+    ShallowParameters parameters(double time_s, double dt) const {
+        const ShallowStage<float> stage = constants_.stage<float>(dt);
+        ShallowParameters p{.nx = nx_,
+                            .ny = ny_,
+                            .periodic_x = std::holds_alternative<PeriodicSide>(sides_.west),
+                            .periodic_y = std::holds_alternative<PeriodicSide>(sides_.south),
+                            .dt = stage.dt,
+                            .per_dx = stage.per_dx,
+                            .per_dy = stage.per_dy,
+                            .gravity = stage.gravity,
+                            .film = stage.film,
+                            .friction = stage.friction,
+                            .stage = 0,
+                            .sides = {}};
+        const SideDemands demands = side_demands(sides_, time_s);
+        std::ranges::transform(demands, p.sides, [](const f64::SideDemand& d) {
+            return SideDemand{d.kind, static_cast<float>(d.value), static_cast<float>(d.u), static_cast<float>(d.v)};
+        });
+        return p;
+    }
+
+    /// The carry, which the host knows nothing of, stays as it was downloaded.
+    void upload_fields() {
+        const std::span<glm::vec4> now = now_.host<glm::vec4>();
+        for_cells([&](int i, int j, std::size_t at) {
+            now[at] = {fields_.rise.row(j)[i], fields_.qx.row(j)[i], fields_.qy.row(j)[i], now[at].w};
+        });
+        commands_.upload(now_);
+    }
+
+    ShallowPeak run() {
+        commands_.download(peak_);
+        commands_.run();
+        fields_are_new_ = false;
+        const float rate = std::bit_cast<float>(peak_.host<std::uint32_t>().front());
+        return {rate, std::isfinite(rate)};
+    }
+
+    ShallowConstants constants_;
+    ShallowSides sides_;
+    int nx_, ny_;
+    ShallowStart<float> start_;
+    ShallowFields<float> fields_;
+    bool fields_are_new_ = true;
+    gpu::Pass flux_, update_, frame_;
+    gpu::Buffer start_buffer_, now_, change_, flux_x_, flux_y_, peak_;
+    gpu::Commands commands_;
+};
+
+}  // namespace
+
+std::unique_ptr<ShallowWaterModel> make_shallow_water_vulkan(const ShallowWaterSettings& settings,
+                                                             std::shared_ptr<gpu::Context> context) {
+    check_shallow(settings);
+    return std::make_unique<ShallowModel<float>>(settings, std::make_unique<VulkanSolver>(settings, context));
+}
+
+}  // namespace waterlight
