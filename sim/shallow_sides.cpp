@@ -1,6 +1,7 @@
 #include "sim/shallow_sides.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim/kernels/shallow_water.hpp"
 
@@ -143,6 +144,9 @@ void copy_frame(int kind, const SideView& view, ShallowFields<Real>& fields) {
 
 bool copies(const SideDemand& demand) { return demand.kind == BEYOND_PERIODIC || demand.kind == BEYOND_WALL; }
 
+/// Of two rates; a NaN is the largest.
+double larger(double a, double b) { return std::isnan(a) || b <= a ? a : b; }
+
 /// A cell of the state: the surface's rise and the discharge across and along a side.
 struct Cell {
     double rise, across, along;
@@ -183,8 +187,8 @@ double ShallowFrames<Real>::find_beyond(const SideDemand& demand, const SideView
             const double h_beyond = std::max(h + beyond.deeper, 0.0), u = view.inward() * beyond.u;
             cells.second(view.at(n, frame), Cell{rise, h_beyond * u, h_beyond * beyond.v});
             fastest =
-                std::max(fastest, f64::crossing_rate(h_beyond, view.along_y ? u : beyond.v, view.along_y ? beyond.v : u,
-                                                     gravity_, 1 / grid_.dx_m, 1 / grid_.dy_m));
+                larger(fastest, f64::crossing_rate(h_beyond, view.along_y ? u : beyond.v, view.along_y ? beyond.v : u,
+                                                   gravity_, 1 / grid_.dx_m, 1 / grid_.dy_m));
         }
     }
     return fastest;
@@ -197,7 +201,7 @@ double ShallowFrames<Real>::fill(const ShallowStart<Real>& start, double time_s,
         if (copies(demand)) return copy_frame(demand.kind, view, now);
         const auto inside = [&](Place at) { return cell(now, view, at); };
         const auto put = [&](Place at, const Cell& beyond) { set_cell(beyond, view, at, now); };
-        fastest = std::max(fastest, find_beyond(demand, view, start, std::pair{inside, put}));
+        fastest = larger(fastest, find_beyond(demand, view, start, std::pair{inside, put}));
     });
     return fastest;
 }

@@ -5,7 +5,9 @@
 
 #include "caustics/floor_vulkan.hpp"
 #include "gpu/error.hpp"
+#include "sim/shallow_water_vulkan.hpp"
 #include "tests/bench/floor_two_pass.hpp"
+#include "tests/bench/waves_shallow_water.hpp"
 
 namespace {
 
@@ -17,6 +19,11 @@ void register_vulkan() {
         auto context = std::make_shared<gpu::Context>();
         benchmark::AddCustomContext("vulkan_device", context->device().name);
         bench::register_floor("vulkan", [context](const FloorSettings& s) { return make_floor_vulkan(s, context); });
+        // A program that plays a GPU takes seconds for a few steps.
+        const int frames = context->device().type == gpu::DeviceType::cpu ? 1 : 0;
+        bench::register_shallow(
+            "vulkan", [context](const ShallowWaterSettings& s) { return make_shallow_water_vulkan(s, context); },
+            steps);
     } catch (const gpu::Error& error) {
         std::fprintf(stderr, "no vulkan cases: %s\n", error.what());
     }
@@ -26,6 +33,7 @@ void register_vulkan() {
 
 int main(int argc, char** argv) {
     bench::register_floor("cpu", make_floor_cpu);
+    bench::register_shallow("cpu", make_shallow_water<float>);
     register_vulkan();
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
