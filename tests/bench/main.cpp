@@ -23,7 +23,7 @@ void register_vulkan() {
         const int frames = context->device().type == gpu::DeviceType::cpu ? 1 : 0;
         bench::register_shallow(
             "vulkan", [context](const ShallowWaterSettings& s) { return make_shallow_water_vulkan(s, context); },
-            steps);
+            frames);
     } catch (const gpu::Error& error) {
         std::fprintf(stderr, "no vulkan cases: %s\n", error.what());
     }
