@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "sim/error.hpp"
-#include "sim/shallow_records.hpp"
 #include "sim/shallow_sides.hpp"
 
 namespace waterlight {
@@ -21,13 +20,14 @@ ShallowModel<Real>::ShallowModel(const ShallowWaterSettings& s, std::unique_ptr<
       cfl_(s.cfl),
       wet_m_(s.wet_m),
       film_(film_depth(s)),
+      keep_records_(s.keep_records),
       sources_(s),
       solver_(std::move(solver)),
       least_step_s_(least_part / still_rate(s)),
       surface_(s.grid, boundary_of(s.sides)) {
-    if (s.keep_records) records_ = first_records(view(), wet_m_);
     disturb_since(0);
     peak_ = solver_->look(0);
+    if (keep_records_) solver_->record(0);
 }
 
 template <class Real>
@@ -43,7 +43,7 @@ void ShallowModel<Real>::advance(double frame_s) {
         time_s_ = dt_ == remaining ? end : time_s_ + dt_;
         remaining = dt_ == remaining ? 0 : end - time_s_;
         if (disturb_since(from)) peak_ = solver_->look(time_s_);
-        if (records_) add_records(view(), time_s_, wet_m_, *records_);
+        if (keep_records_) solver_->record(time_s_);
     }
     surface_is_new_ = false;
 }

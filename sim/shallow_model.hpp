@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "sim/shallow_disturbance.hpp"
@@ -26,7 +25,7 @@ class ShallowModel final : public ShallowWaterModel {
     double bed_m(int i, int j) const override { return ground_of(solver_->start(), i, j); }
     double step_s() const override { return steps_ > 0 ? dt_ : cfl_ / peak_.rate; }
     ShallowTotals totals() const override { return shallow_totals(view(), wet_m_); }
-    const ShallowRecords* records() const override { return records_ ? &*records_ : nullptr; }
+    const ShallowRecords* records() const override { return keep_records_ ? &solver_->records() : nullptr; }
 
   private:
     ShallowView<Real> view() const { return {grid_, water_, solver_->start(), solver_->fields(), film_}; }
@@ -37,13 +36,13 @@ class ShallowModel final : public ShallowWaterModel {
     Grid grid_;
     Water water_;
     double cfl_, wet_m_, film_;
+    bool keep_records_;
     ShallowSources sources_;
     std::unique_ptr<ShallowSolver<Real>> solver_;
     ShallowPeak peak_;
     double least_step_s_;
     double time_s_ = 0, dt_ = 0;
     std::int64_t steps_ = 0;
-    std::optional<ShallowRecords> records_;
     Surface surface_;
     bool surface_is_new_ = false;
 };

@@ -1,16 +1,21 @@
 // What shallow water has reached since the start: keeps ShallowRecords step by step.
 #pragma once
 
-#include "sim/shallow_surface.hpp"
+#include "sim/shallow_solver.hpp"
 
 namespace waterlight {
 
-/// Of the initial state.
-template <class Real>
-ShallowRecords first_records(const ShallowView<Real>& view, double wet_m);
+/// Of nothing yet.
+ShallowRecords empty_records(int nx, int ny);
 
 /// Adds the state at time_s.
 template <class Real>
-void add_records(const ShallowView<Real>& view, double time_s, double wet_m, ShallowRecords& records);
+void add_records(const ShallowConstants& constants, const ShallowStart<Real>& start, const ShallowFields<Real>& now,
+                 double time_s, ShallowRecords& records);
+
+extern template void add_records<float>(const ShallowConstants&, const ShallowStart<float>&,
+                                        const ShallowFields<float>&, double, ShallowRecords&);
+extern template void add_records<double>(const ShallowConstants&, const ShallowStart<double>&,
+                                         const ShallowFields<double>&, double, ShallowRecords&);
 
 }  // namespace waterlight

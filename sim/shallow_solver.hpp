@@ -19,14 +19,15 @@ struct ShallowStage {
 
 /// What is the same for all stages of a run.
 struct ShallowConstants {
-    double per_dx, per_dy, gravity, manning, film;
+    double per_dx, per_dy, gravity, manning, film, wet;
 
     explicit ShallowConstants(const ShallowWaterSettings& s)
         : per_dx(1 / s.grid.dx_m),
           per_dy(1 / s.grid.dy_m),
           gravity(s.water.gravity_m_s2),
           manning(s.manning),
-          film(film_depth(s)) {}
+          film(film_depth(s)),
+          wet(s.wet_m) {}
 
     /// A stage of a step of dt seconds.
     template <class Real>
@@ -61,6 +62,10 @@ class ShallowSolver {
     /// Heun's method from time_s to time_s + dt: change = dt L(u), then u += (change + dt L(u + change)) / 2; friction
     /// follows.
     virtual ShallowPeak step(double time_s, double dt) = 0;
+    /// Adds the fields, as they are at time_s, to the records.
+    virtual void record(double time_s) = 0;
+    /// Valid until the next step.
+    virtual const ShallowRecords& records() = 0;
 };
 
 }  // namespace waterlight

@@ -5,6 +5,7 @@
 
 #include "sim/shallow_check.hpp"
 #include "sim/shallow_model.hpp"
+#include "sim/shallow_records.hpp"
 #include "sim/shallow_sides.hpp"
 #include "sim/shallow_sweep.hpp"
 
@@ -26,6 +27,7 @@ class RowSolver final : public ShallowSolver<Real> {
                  std::holds_alternative<PeriodicSide>(s.sides.south)) {
         set_start(s, start_, now_);
         frames_.fill(start_);
+        if (s.keep_records) records_ = empty_records(s.grid.nx, s.grid.ny);
     }
 
     const ShallowStart<Real>& start() const override { return start_; }
@@ -42,6 +44,9 @@ class RowSolver final : public ShallowSolver<Real> {
         return with_sides(time_s + dt, sweep_.second_stage(stage, start_, change_, now_));
     }
 
+    void record(double time_s) override { add_records(constants_, start_, now_, time_s, records_); }
+    const ShallowRecords& records() override { return records_; }
+
   private:
     ShallowPeak with_sides(double time_s, ShallowPeak inside) {
         const double rate = frames_.fill(start_, time_s, now_);
@@ -53,6 +58,7 @@ class RowSolver final : public ShallowSolver<Real> {
     ShallowStart<Real> start_;
     ShallowFields<Real> now_, change_;
     ShallowSweep<Real> sweep_;
+    ShallowRecords records_;
 };
 
 }  // namespace

@@ -100,7 +100,7 @@ class ShallowWaterModel : public WaveModel {
     /// The length (s) of the last step, or before the first that of the longest allowed.
     virtual double step_s() const = 0;
     virtual ShallowTotals totals() const = 0;
-    /// None unless settings asked for them.
+    /// None unless settings asked for them. Valid until the next advance().
     virtual const ShallowRecords* records() const = 0;
 };
 

@@ -7,14 +7,17 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 
 #include "gpu/buffer.hpp"
 #include "gpu/commands.hpp"
 #include "gpu/pass.hpp"
 #include "shaders/shallow_flux.hpp"
 #include "shaders/shallow_frame.hpp"
+#include "shaders/shallow_record.hpp"
 #include "shaders/shallow_update.hpp"
 #include "sim/shallow_model.hpp"
+#include "sim/shallow_records.hpp"
 #include "sim/shallow_sides.hpp"
 
 namespace waterlight {
@@ -61,6 +64,7 @@ class VulkanSolver final : public ShallowSolver<float> {
         });
         std::ranges::fill(now_.host<glm::vec4>(), glm::vec4(0));
         commands_.upload(start_buffer_);
+        if (s.keep_records) begin_records(context);
     }
 
     const ShallowStart<float>& start() const override { return start_; }
@@ -99,10 +103,39 @@ class VulkanSolver final : public ShallowSolver<float> {
         return run();
     }
 
+    /// Runs with the next step.
+    void record(double time_s) override { commands_.dispatch(*record_, cells_extent(), parameters(time_s, 0)); }
+
+    const ShallowRecords& records() override {
+        commands_.download(*records_buffer_);
+        commands_.run();
+        const std::span<const glm::vec4> found = records_buffer_->host<glm::vec4>();
+        for_cells([&](int i, int j, std::size_t at) {
+            if (i < 0 || i >= nx_ || j < 0 || j >= ny_) return;
+            const auto known = [](float value) { return std::abs(value) < beyond_all ? value : std::nanf(""); };
+            records_.max_elevation_m(i, j) = known(found[at].x);
+            records_.max_speed_m_s(i, j) = found[at].y;
+            records_.arrival_s(i, j) = known(found[at].z);
+        });
+        return records_;
+    }
+
   private:
+    /// Stands for a record that has no value yet: a device may not keep a NaN.
+    static constexpr float beyond_all = 1e30F;
+
     static gpu::PassSettings pass(const char* name, std::span<const std::uint32_t> spirv,
-                                  std::array<std::uint32_t, 3> workgroup) {
-        return {name, spirv, 6, sizeof(ShallowParameters), workgroup};
+                                  std::array<std::uint32_t, 3> workgroup, std::uint32_t buffers = 6) {
+        return {name, spirv, buffers, sizeof(ShallowParameters), workgroup};
+    }
+
+    void begin_records(const std::shared_ptr<gpu::Context>& context) {
+        record_.emplace(context, pass("shallow water: record", shaders::shallow_record, tile_workgroup, 7));
+        records_buffer_.emplace(context, cells() * sizeof(glm::vec4), BufferUse::both);
+        record_->bind({&start_buffer_, &now_, &change_, &flux_x_, &flux_y_, &peak_, &*records_buffer_});
+        records_ = empty_records(nx_, ny_);
+        std::ranges::fill(records_buffer_->host<glm::vec4>(), glm::vec4(-beyond_all, 0, beyond_all, 0));
+        commands_.upload(*records_buffer_);
     }
 
     std::size_t cells() const {
@@ -138,6 +171,8 @@ class VulkanSolver final : public ShallowSolver<float> {
                             .gravity = stage.gravity,
                             .film = stage.film,
                             .friction = stage.friction,
+                            .wet = static_cast<float>(constants_.wet),
+                            .time = static_cast<float>(time_s),
                             .stage = 0,
                             .sides = {}};
         const SideDemands demands = side_demands(sides_, time_s);
@@ -172,6 +207,9 @@ class VulkanSolver final : public ShallowSolver<float> {
     bool fields_are_new_ = true;
     gpu::Pass flux_, update_, frame_;
     gpu::Buffer start_buffer_, now_, change_, flux_x_, flux_y_, peak_;
+    std::optional<gpu::Pass> record_;
+    std::optional<gpu::Buffer> records_buffer_;
+    ShallowRecords records_;
     gpu::Commands commands_;
 };
 

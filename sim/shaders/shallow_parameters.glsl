@@ -10,6 +10,8 @@ struct ShallowParameters {
     float gravity;
     float film;
     float friction;
-    int stage;  // 1 and 2: the stages of a step; 0: a look at what is there
+    float wet;   // ShallowWaterSettings::wet_m
+    float time;  // s since the start
+    int stage;   // 1 and 2: the stages of a step; 0: a look at what is there
     SideDemand sides[4];  // west, east, south, north
 };
