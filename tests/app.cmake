@@ -16,6 +16,11 @@ foreach(test IN ITEMS program_test shipped_scenarios_test)
     add_dependencies(${test} waterlight)
 endforeach()
 
+# The laboratory's waves; skipped without its measurements.
+add_test(NAME measured_waves COMMAND /usr/bin/python3 ${CMAKE_CURRENT_LIST_DIR}/scenarios/measured_waves.py
+    $<TARGET_FILE:waterlight> ${PROJECT_SOURCE_DIR}/scenarios)
+set_tests_properties(measured_waves PROPERTIES TIMEOUT 600 SKIP_RETURN_CODE 77)
+
 # The installed package serves a project of someone else.
 add_test(NAME package COMMAND ${CMAKE_COMMAND}
     -DBUILD=${PROJECT_BINARY_DIR} -DCONSUMER=${CMAKE_CURRENT_LIST_DIR}/package
