@@ -254,12 +254,13 @@ TEST_F(Backends, LakeAtRest) {
     }
 }
 
+// Without the carry of the rise a thousand steps of the dam break would cost 1.6e-8.
 TEST_F(Backends, NoWaterIsMadeOrLost) {
     for (const auto& s : runs(circular_dam_break(), rubbed(shore()), with_sides(shore(), {round, round, {}, {}}))) {
         const auto device = vulkan(s);
         const double before = device->totals().volume_m3;
         while (device->steps() < 1000) device->advance(0.5);
-        EXPECT_NEAR(device->totals().volume_m3, before, 1e-7 * before);
+        EXPECT_NEAR(device->totals().volume_m3, before, 6e-9 * before);
     }
 }
 
