@@ -130,8 +130,8 @@ void find_faces(const CellRow<Real>& before, const CellRow<Real>& at, const Cell
         const Steps along = limited_steps(v[i] - v0[i], v1[i] - v[i], freedom);
         const Real e_low = e[i] - rise.low;
         const Real e_high = e[i] + rise.high;
-        const Real h_low = face_depth(e_low, z[i] - ground, h[i]);
-        const Real h_high = face_depth(e_high, z[i] + ground, h[i]);
+        const Real h_low = face_depth(h[i], ground - rise.low);
+        const Real h_high = face_depth(h[i], rise.high - ground);
         le[i] = e_low;
         he[i] = e_high;
         lh[i] = h_low;

@@ -48,10 +48,10 @@ KERNEL real ground_step(real before, real after) {
     return rising * min(min(a, b), real(0.25) * (a + b));
 }
 
-// Depth at a face: of the reconstructed surface over the ground there, but within 0 and twice the cell's own, so that a
-// cell does not offer more than it holds.
-KERNEL real face_depth(real surface, real ground, real h) {
-    return clamp(surface - ground, real(0), real(2) * h);
+// Depth at a face from the cell's own and what it gains up to there: the surface's rise less the ground's. Within 0 and
+// twice the cell's own, so that a cell does not offer more than it holds.
+KERNEL real face_depth(real h, real gain) {
+    return clamp(h + gain, real(0), real(2) * h);
 }
 
 // The force of the surface's slope within a cell, times the cell's size: g (mean depth) (rise from face to face).
@@ -105,10 +105,13 @@ KERNEL FaceFlux hll_flux(FaceWater low, FaceWater high, real g) {
 }
 
 // The flux through a face between cells whose grounds may differ there: only what stands above the higher ground meets.
+// In terms of differences of surface: between level surfaces both depths come out the same to the last bit, however high
+// they are.
 KERNEL FaceFlux shallow_flux(FaceWater low, FaceWater high, real g) {
-    real ground = max(low.e - low.h, high.e - high.h);
-    low.h = clamp(low.e - ground, real(0), low.h);
-    high.h = clamp(high.e - ground, real(0), high.h);
+    real fall = low.e - high.e;
+    real low_h = clamp(high.h + fall, real(0), low.h);
+    high.h = clamp(low.h - fall, real(0), high.h);
+    low.h = low_h;
     return hll_flux(low, high, g);
 }
 
