@@ -25,12 +25,13 @@ void add_row(const ShallowView<Real>& view, int j, float time_s, Real wet, Shall
     float* __restrict fastest = records.max_speed_m_s.row(j);
     float* __restrict arrival = records.arrival_s.row(j);
     const Real film = static_cast<Real>(view.film_m);
+    const float datum = static_cast<float>(view.start.datum_m);
 #pragma GCC ivdep
     for (int i = 0; i < view.grid.nx; ++i) {
         const Real h = depth[i] + rise[i];
         const Real flow = flow_per_discharge(h, film);
         const bool wet_now = h > wet;
-        const float e = static_cast<float>(surface[i] + rise[i]);
+        const float e = static_cast<float>(surface[i] + rise[i]) + datum;
         const float speed = static_cast<float>(flow * std::sqrt(qx[i] * qx[i] + qy[i] * qy[i]));
         // A comparison with NaN fails: then the first value is taken.
         highest[i] = wet_now && !(e <= highest[i]) ? e : highest[i];

@@ -185,7 +185,7 @@ double ShallowFrames<Real>::find_beyond(const ShallowSide& side, const SideView&
             const double flow = f64::flow_per_discharge(h, film_);
             const Beyond beyond{time_s,
                                 gravity_,
-                                value(start.surface, from) - still,
+                                start.datum_m + value(start.surface, from) - still,
                                 view.inward(),
                                 view.along_y,
                                 {h, view.inward() * flow * inside.across},

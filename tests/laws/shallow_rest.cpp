@@ -35,7 +35,7 @@ ShallowWaterSettings lake(Field<double> bed, double level_m, const ShallowSides&
     return settings;
 }
 
-constexpr Grid cells{20, 16};
+constexpr Grid cells{14, 11};
 
 /// Ground from `low` to `high` m above `level_m` at random.
 Field<double> rough(double level_m, double low, double high, std::uint64_t seed = 1) {
@@ -46,8 +46,8 @@ Field<double> rough(double level_m, double low, double high, std::uint64_t seed 
 /// Two islands in water 1 m deep.
 Field<double> islands(double level_m) {
     return field_of(cells, [&](int i, int j) {
-        return level_m - 1 + 2.3 * std::exp(-0.1 * (std::pow(i - 6.2, 2) + std::pow(j - 5.7, 2))) +
-               1.7 * std::exp(-0.3 * (std::pow(i - 14.1, 2) + std::pow(j - 11.4, 2)));
+        return level_m - 1 + 2.3 * std::exp(-0.1 * (std::pow(i - 4.2, 2) + std::pow(j - 4.7, 2))) +
+               1.7 * std::exp(-0.3 * (std::pow(i - 10.1, 2) + std::pow(j - 8.4, 2)));
     });
 }
 
@@ -79,7 +79,7 @@ TYPED_TEST(ShallowRest, PondsOfOneCellAtLevelsOfTheirOwn) {
 /// Shoals of depth d among pits and cliffs `jump` times as deep and as high.
 TYPED_TEST(ShallowRest, CliffsUpToAMillionDepths) {
     for (const double depth : {1e-3, 1.0}) {
-        for (const double jump : {1.0, 1e2, 1e4, 1e6}) {
+        for (const double jump : {1.0, 1e3, 1e6}) {
             RandomStream random(4, 0);
             const auto cliffs = field_of(cells, [&](int, int) {
                 const double kind = random.uniform();
@@ -94,7 +94,7 @@ TYPED_TEST(ShallowRest, CliffsUpToAMillionDepths) {
 TYPED_TEST(ShallowRest, SourcesOfNoStrength) {
     ShallowWaterSettings settings = lake(islands(0), 0);
     const double width = settings.grid.width_m(), height = settings.grid.height_m();
-    settings.sources = {Drop{{5, 9}, 3, 0, 0}, Drop{{15, 15}, 4, 0, 1}, Rain{0.01, {1, 2}, {0, 0}, 0, 1e30, 1},
+    settings.sources = {Drop{{5, 9}, 3, 0, 0}, Drop{{10, 12}, 4, 0, 1}, Rain{0.01, {1, 2}, {0, 0}, 0, 1e30, 1},
                         Wavemaker{{0, 0.9 * height}, {width, 0.9 * height}, 0, 4}};
     settings.manning = 0.03;
     settings.keep_records = true;
@@ -124,7 +124,7 @@ std::vector<NamedSide> sides_at_rest(double level_m) {
 }
 
 TYPED_TEST(ShallowRest, SidesOfNoStrength) {
-    for (const double level : {0.0, 0.3, 10000.0, 10000.3}) {
+    for (const double level : {0.0, 10000.3}) {
         for (const auto& [name, side] : sides_at_rest(level)) {
             const ShallowSides all{side, side, side, side};
             ShallowWaterSettings settings = lake(rough(level, -2, 1), level, all);
@@ -135,7 +135,7 @@ TYPED_TEST(ShallowRest, SidesOfNoStrength) {
 }
 
 TYPED_TEST(ShallowRest, DeepWaterAtOpenSides) {
-    for (const double depth : {1e-3, 10.0, 4000.0}) {
+    for (const double depth : {1e-3, 4000.0}) {
         for (const auto& [name, side] : sides_at_rest(0)) {
             const ShallowSides all{side, side, side, side};
             this->expect_rest(lake(rough(0, -depth, -depth / 2), 0, all), name + " on " + std::to_string(depth) + " m");

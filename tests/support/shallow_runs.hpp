@@ -1,6 +1,8 @@
 // Short ways to set up and read runs of the shallow-water model.
 #pragma once
 
+#include <omp.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -19,6 +21,9 @@ inline constexpr double g = standard_gravity_m_s2;
 inline const ShallowSides walled{};
 inline const ShallowSides periodic_all{PeriodicSide{}, PeriodicSide{}, PeriodicSide{}, PeriodicSide{}};
 inline const ShallowSides periodic_along_y{WallSide{}, WallSide{}, PeriodicSide{}, PeriodicSide{}};
+
+/// On the small grids of tests a second thread only costs.
+inline const bool one_thread = (omp_set_num_threads(1), true);
 
 /// Cells of the grid, given a value each by at(i, j).
 template <class At>
