@@ -2,4 +2,5 @@
 waterlight_test(shallow_tests
     SOURCES
         laws/shallow_rest.cpp
+        laws/shallow_volume.cpp
     LIBRARIES waterlight::sim)
