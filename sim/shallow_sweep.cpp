@@ -64,6 +64,7 @@ using f32::face_depth;
 using f32::flow_per_discharge;
 using f32::friction_part;
 using f32::ground_step;
+using f32::kept_flow;
 using f32::limited_steps;
 using f32::shallow_flux;
 using f32::slope_freedom;
@@ -74,6 +75,7 @@ using f64::face_depth;
 using f64::flow_per_discharge;
 using f64::friction_part;
 using f64::ground_step;
+using f64::kept_flow;
 using f64::limited_steps;
 using f64::shallow_flux;
 using f64::slope_freedom;
@@ -296,7 +298,8 @@ class ShallowSweep<Real>::Band {
             const Real low_y = y[i] < none ? y[i] : none;
             const Real high_y = y1[i] > none ? y1[i] : none;
             drain[i] = drain_part(h[i], per_dx * (high_x - low_x) + per_dy * (high_y - low_y), dt);
-            cuts |= drain[i] < 1 ? 1 : 0;
+            const Real loss = dt * (per_dx * (x[i + 1] - x[i]) + per_dy * (y1[i] - y[i]));
+            cuts |= drain[i] < 1 || loss > Real(0.75) * h[i] ? 1 : 0;
         }
         drain[-1] = s_.periodic_x_ ? drain[s_.nx_ - 1] : Real(1);
         drain[s_.nx_] = s_.periodic_x_ ? drain[0] : Real(1);
@@ -343,8 +346,16 @@ class ShallowSweep<Real>::Band {
                 north *= at_north, north_u *= at_north;
             }
             const Real gain = dt * (per_dx * (west - east) + per_dy * (south - north));
-            const Real gain_x = dt * (push_x[i] + per_dy * (south_u - north_u));
-            const Real gain_y = dt * (push_y[i] + per_dx * (west_v - east_v));
+            Real gain_x = dt * (push_x[i] + per_dy * (south_u - north_u));
+            Real gain_y = dt * (push_y[i] + per_dx * (west_v - east_v));
+            if constexpr (drains) {
+                const Real h = depth[i] + (second ? rise[i] + more_rise[i] : rise[i]);
+                const Real part = kept_flow(h, h + gain);
+                const Real from_x = second ? qx[i] + more_qx[i] : qx[i];
+                const Real from_y = second ? qy[i] + more_qy[i] : qy[i];
+                gain_x = part * (from_x + gain_x) - from_x;
+                gain_y = part * (from_y + gain_y) - from_y;
+            }
             if constexpr (second) {
                 const Real wanted = half * (more_rise[i] + gain) + carry[i];
                 const Real reached = rise[i] + wanted;

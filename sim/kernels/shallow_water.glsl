@@ -138,6 +138,13 @@ KERNEL real drain_part(real h, real outflow, real dt) {
     return wanted > h ? h / wanted * real(0.999999) : real(1);
 }
 
+// The part of its discharge that a cell keeps when its depth falls from h to `left`: what leaves takes its own along,
+// so that the rest is not faster than it would be if it were still four times as deep.
+KERNEL real kept_flow(real h, real left) {
+    real most = real(4) * left;
+    return most < h ? most / h : real(1);
+}
+
 // What a step of dt leaves of the discharge under Manning's friction, q_t = -g n^2 |q| q / h^(7/3), solved exactly.
 KERNEL real friction_part(real h, real discharge, real g_n2_dt, real film) {
     real m = max(h, film);
