@@ -64,6 +64,7 @@ using f32::face_depth;
 using f32::flow_per_discharge;
 using f32::friction_part;
 using f32::ground_step;
+using f32::held_momentum;
 using f32::kept_flow;
 using f32::limited_steps;
 using f32::shallow_flux;
@@ -75,6 +76,7 @@ using f64::face_depth;
 using f64::flow_per_discharge;
 using f64::friction_part;
 using f64::ground_step;
+using f64::held_momentum;
 using f64::kept_flow;
 using f64::limited_steps;
 using f64::shallow_flux;
@@ -212,7 +214,7 @@ class ShallowSweep<Real>::Band {
         x_force_ = row();
     }
 
-    static constexpr int scratch_rows = 15 + 15 + 12 + 8 + 12 + 12 + 12 + 1;
+    static constexpr int scratch_rows = 25 + 25 + 12 + 8 + 12 + 12 + 12 + 1;
 
     /// The band [first, last). Reads what it needs of rows beyond it, which others will change.
     void prepare(int first, int last) {
@@ -326,6 +328,8 @@ class ShallowSweep<Real>::Band {
         const Real *push_x = x_push_.at(r), *push_y = y_push_.at(r);
         const Real *drain = drain_.at(r), *drain0 = drain_.at(r - 1), *drain1 = drain_.at(r + 1);
         const Real* depth = start_.depth.row(row);
+        const Real *h = water_.at(r).h, *u = water_.at(r).u, *v0 = water_.at(r - 1).v, *v = water_.at(r).v,
+                   *v1 = water_.at(r + 1).v;
         auto *rise = now_.rise.row(row), *qx = now_.qx.row(row), *qy = now_.qy.row(row);
         auto *more_rise = change_.rise.row(row), *more_qx = change_.qx.row(row), *more_qy = change_.qy.row(row);
         Real* carry = s_.carry_.row(row);
@@ -349,8 +353,14 @@ class ShallowSweep<Real>::Band {
             Real gain_x = dt * (push_x[i] + per_dy * (south_u - north_u));
             Real gain_y = dt * (push_y[i] + per_dx * (west_v - east_v));
             if constexpr (drains) {
-                const Real h = depth[i] + (second ? rise[i] + more_rise[i] : rise[i]);
-                const Real part = kept_flow(h, h + gain);
+                // Water that is held back keeps its momentum.
+                gain_x += dt * per_dx *
+                          (held_momentum(x_mass[i + 1] - east, u[i], u[i + 1]) -
+                           held_momentum(x_mass[i] - west, u[i - 1], u[i]));
+                gain_y +=
+                    dt * per_dy *
+                    (held_momentum(y1_mass[i] - north, v[i], v1[i]) - held_momentum(y_mass[i] - south, v0[i], v[i]));
+                const Real part = kept_flow(h[i], h[i] + gain);
                 const Real from_x = second ? qx[i] + more_qx[i] : qx[i];
                 const Real from_y = second ? qy[i] + more_qy[i] : qy[i];
                 gain_x = part * (from_x + gain_x) - from_x;
@@ -420,7 +430,7 @@ class ShallowSweep<Real>::Band {
     int first_ = 0, last_ = 0;
     int lowest_ = 0, highest_ = 0;  // rows of cells with faces
     bool at_low_side_ = false, at_high_side_ = false;
-    Ring<CellRow<Real>, 3> water_, ahead_;
+    Ring<CellRow<Real>, 5> water_, ahead_;
     FaceRow<Real> x_low_, x_high_, y_low_;
     Ring<FaceRow<Real>, 2> y_high_;
     Ring<FluxRow<Real>, 3> x_flux_, y_flux_;

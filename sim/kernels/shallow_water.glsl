@@ -138,6 +138,11 @@ KERNEL real drain_part(real h, real outflow, real dt) {
     return wanted > h ? h / wanted * real(0.999999) : real(1);
 }
 
+// Momentum across a face that stays behind with `mass`, the part of the flux that draining has cut.
+KERNEL real held_momentum(real mass, real u_low, real u_high) {
+    return mass * (mass > real(0) ? u_low : u_high);
+}
+
 // The part of its discharge that a cell keeps when its depth falls from h to `left`: what leaves takes its own along,
 // so that the rest is not faster than it would be if it were still four times as deep.
 KERNEL real kept_flow(real h, real left) {
