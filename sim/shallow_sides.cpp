@@ -100,6 +100,12 @@ Boundary boundary_of(const ShallowSides& sides) {
     return {side_of(sides.west, sides.east), side_of(sides.south, sides.north)};
 }
 
+ShallowEdges edges_of(const ShallowSides& sides) {
+    const auto is_closed = [](const ShallowSide& side) { return std::holds_alternative<WallSide>(side); };
+    return {is_periodic(sides.west), is_periodic(sides.south), is_closed(sides.west),
+            is_closed(sides.east),   is_closed(sides.south),   is_closed(sides.north)};
+}
+
 template <class Real>
 ShallowFrames<Real>::ShallowFrames(const Grid& grid, const ShallowSides& sides, double gravity_m_s2, double film_m)
     : grid_(grid), sides_(sides), gravity_(gravity_m_s2), film_(film_m) {}

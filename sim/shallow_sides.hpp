@@ -4,6 +4,7 @@
 #include "sim/boundary.hpp"
 #include "sim/grid.hpp"
 #include "sim/shallow_rows.hpp"
+#include "sim/shallow_sweep.hpp"
 #include "sim/shallow_water.hpp"
 
 namespace waterlight {
@@ -11,6 +12,9 @@ namespace waterlight {
 /// As waves of light and drops see the sides: an axis of which one side is a wall or a piston is walled; one that lets
 /// water pass on both sides absorbs.
 Boundary boundary_of(const ShallowSides& sides);
+
+/// Walls are closed; a piston brings in the water that it displaces.
+ShallowEdges edges_of(const ShallowSides& sides);
 
 namespace shallow_sides {
 struct SideView;

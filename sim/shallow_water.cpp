@@ -80,8 +80,7 @@ ShallowWater<Real>::ShallowWater(const ShallowWaterSettings& s)
       start_(s.grid.nx, s.grid.ny),
       now_(s.grid.nx, s.grid.ny),
       change_(s.grid.nx, s.grid.ny),
-      sweep_(s.grid.nx, s.grid.ny, std::holds_alternative<PeriodicSide>(s.sides.west),
-             std::holds_alternative<PeriodicSide>(s.sides.south)),
+      sweep_(s.grid.nx, s.grid.ny, edges_of(s.sides)),
       least_step_s_(least_part / still_rate(s)),
       surface_(s.grid, boundary_of(s.sides)) {
     set_start(s, start_, now_);
