@@ -2,5 +2,6 @@
 waterlight_test(shallow_tests
     SOURCES
         laws/shallow_rest.cpp
+        laws/shallow_riemann.cpp
         laws/shallow_volume.cpp
     LIBRARIES waterlight::sim)
