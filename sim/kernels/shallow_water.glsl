@@ -85,14 +85,15 @@ struct FaceSpeeds {
     real fast;
 };
 
-// No wave is taken for slower than the water and its own waves on its side, so the depth between them is never negative.
+// No wave is taken for slower than the water and its own waves on its side, so the depth between them is never negative;
+// nor than those on the other side, or a film would hold up deep fast water that it runs against.
 KERNEL FaceSpeeds hll_speeds(FaceWater low, FaceWater high, real g) {
     real c_low = sqrt(g * low.h);
     real c_high = sqrt(g * high.h);
     real u_middle = real(0.5) * (low.u + high.u) + c_low - c_high;
     real c_middle = real(0.5) * (c_low + c_high) + real(0.25) * (low.u - high.u);
-    real slow = min(low.u - c_low, u_middle - c_middle);
-    real fast = max(high.u + c_high, u_middle + c_middle);
+    real slow = min(min(low.u - c_low, high.u - c_high), u_middle - c_middle);
+    real fast = max(max(high.u + c_high, low.u + c_low), u_middle + c_middle);
     slow = low.h > real(0) ? slow : high.u - real(2) * c_high;
     fast = high.h > real(0) ? fast : low.u + real(2) * c_low;
     FaceSpeeds speeds;

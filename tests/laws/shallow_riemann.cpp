@@ -197,28 +197,28 @@ TYPED_TEST(ShallowRiemann, EqualStatesGiveTheirOwnFlux) {
     }
 }
 
-/// On flat ground the flux of mass runs as in the exact solution of Riemann's problem wherever that is more than a
-/// small part of what the waves could carry.
+/// On flat ground, where water runs apart or over dry ground, the flux of mass runs as in the exact solution of Riemann's
+/// problem, but for fluxes below 1.5 % of what the waves could carry (measured: 1.1 %). Where jumps stand near the face
+/// HLL's one mean state does not know on which side of it they run.
 TYPED_TEST(ShallowRiemann, MassRunsAsInTheExactSolution) {
     using Real = TypeParam;
     const Deck<Real> deck;
     int clear = 0;
     double worst = 0;
     for (std::uint64_t n = 0; n < 200'000; ++n) {
-        Pair<Real> p = draw(deck, n);
-        p.low.e = p.low.h - p.high.h;
+        const Pair<Real> p = draw(deck, n);
         if (p.low.h < 1e-15 && p.high.h < 1e-15) continue;
-        RiemannProblem exact{p.low.h, p.high.h, p.low.u, p.high.u, {0, 0}};
+        const RiemannProblem exact{p.low.h, p.high.h, p.low.u, p.high.u, {0, 0}};
+        const auto middle = exact.middle();
+        if (!std::isnan(middle.left_shock_m_s) || !std::isnan(middle.right_shock_m_s)) continue;
         const ShallowState at = exact.exact(0, 0, 1);
         const double expected = at.depth_m * at.velocity_m_s.x;
         const double found = hll_flux(p.low, p.high, p.high.h - p.low.h, Real(g)).mass;
-        if (expected * found < 0 && std::abs(expected) / scales(p)[0]>.1) std::printf("h %g %g u %g %g exact %g found %g\n",(double)p.low.h,(double)p.high.h,(double)p.low.u,(double)p.high.u,expected,found);
         if (expected * found < 0) worst = std::max(worst, std::abs(expected) / scales(p)[0]);
-        clear += std::abs(expected) > 0.05 * scales(p)[0];
+        clear += std::abs(expected) > 0.015 * scales(p)[0] ? 1 : 0;
     }
     EXPECT_GT(clear, 10'000);
-    EXPECT_LT(worst, 0.05);
-    std::printf("worst %g clear %d\n", worst, clear);
+    EXPECT_LT(worst, 0.015);
 }
 
 }  // namespace
