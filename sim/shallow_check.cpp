@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/error.hpp"
 #include "sim/kernels/shallow_water.hpp"
@@ -82,13 +83,30 @@ double still_rate(const ShallowWaterSettings& s) {
     return f64::crossing_rate(h, 0, 0, s.water.gravity_m_s2, 1 / s.grid.dx_m, 1 / s.grid.dy_m);
 }
 
+namespace {
+
+/// The initial level of water that is nearest to 0; where all is dry, 0.
+double nearest_level_m(const ShallowWaterSettings& s) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int j = 0; j < s.grid.ny; ++j) {
+        for (int i = 0; i < s.grid.nx; ++i) {
+            const double h = initial_depth_m(s, i, j), level = initial_bed_m(s, i, j) + h;
+            if (h > 0 && std::abs(level) < std::abs(nearest)) nearest = level;
+        }
+    }
+    return std::isfinite(nearest) ? nearest : 0;
+}
+
+}  // namespace
+
 template <class Real>
 void set_start(const ShallowWaterSettings& s, ShallowStart<Real>& start, ShallowFields<Real>& fields) {
+    start.datum_m = nearest_level_m(s);
     for (int j = 0; j < s.grid.ny; ++j) {
         for (int i = 0; i < s.grid.nx; ++i) {
             const double h = initial_depth_m(s, i, j);
             start.depth.row(j)[i] = static_cast<Real>(h);
-            start.surface.row(j)[i] = static_cast<Real>(initial_bed_m(s, i, j) + h);
+            start.surface.row(j)[i] = static_cast<Real>(initial_bed_m(s, i, j) + h - start.datum_m);
             fields.qx.row(j)[i] = static_cast<Real>(s.velocity_x_m_s.empty() ? 0 : h * s.velocity_x_m_s(i, j));
             fields.qy.row(j)[i] = static_cast<Real>(s.velocity_y_m_s.empty() ? 0 : h * s.velocity_y_m_s(i, j));
         }

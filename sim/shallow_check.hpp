@@ -20,7 +20,7 @@ double film_depth(const ShallowWaterSettings& settings);
 /// cross a cell.
 double still_rate(const ShallowWaterSettings& settings);
 
-/// The initial surface, depth and discharge; no frames.
+/// The initial surface, depth and discharge over a datum that is the level of water nearest to 0; no frames.
 template <class Real>
 void set_start(const ShallowWaterSettings& settings, ShallowStart<Real>& start, ShallowFields<Real>& fields);
 

@@ -6,6 +6,7 @@
 
 #include "sim/error.hpp"
 #include "sim/kernels/linear.hpp"
+#include "sim/kernels/shallow_water.hpp"
 #include "sim/shallow_check.hpp"
 #include "sim/shallow_sides.hpp"
 
@@ -71,18 +72,25 @@ void disturb(const DropPatch& patch, const ShallowStart<Real>& start, ShallowFie
     const Field<double>& gain = patch.elevation_m;
     const auto for_cells = [&](auto work) {
         for (int j = 0; j < gain.ny(); ++j) {
-            Real* rise = fields.rise.row(patch.j0 + j) + patch.i0;
-            const Real* depth = start.depth.row(patch.j0 + j) + patch.i0;
-            for (int i = 0; i < gain.nx(); ++i)
-                work(rise[i], allowed(gain(i, j), static_cast<double>(depth[i]) + rise[i]), -depth[i]);
+            const int row = patch.j0 + j;
+            for (int i = 0; i < gain.nx(); ++i) {
+                const int at = patch.i0 + i;
+                const double h = static_cast<double>(start.depth.row(row)[at]) + fields.rise.row(row)[at];
+                work(row, at, h, allowed(gain(i, j), h));
+            }
         }
     };
     double raised = 0, dug = 0;
-    for_cells([&](Real, double value, Real) { (value > 0 ? raised : dug) += std::abs(value); });
+    for_cells([&](int, int, double, double value) { (value > 0 ? raised : dug) += std::abs(value); });
     const double moved = std::min(raised, dug);
     const double up = raised > 0 ? moved / raised : 0, down = dug > 0 ? moved / dug : 0;
-    for_cells([&](Real& rise, double value, Real empty) {
-        rise = std::max(static_cast<Real>(rise + (value > 0 ? up : down) * value), empty);
+    for_cells([&](int row, int at, double h, double value) {
+        const double change = (value > 0 ? up : down) * value;
+        Real& rise = fields.rise.row(row)[at];
+        rise = std::max(static_cast<Real>(rise + change), -start.depth.row(row)[at]);
+        const Real kept = static_cast<Real>(f64::kept_flow(h, std::max(h + change, 0.0)));
+        fields.qx.row(row)[at] *= kept;
+        fields.qy.row(row)[at] *= kept;
     });
 }
 

@@ -28,6 +28,7 @@ void add_row(const ShallowConstants& constants, const ShallowStart<Real>& start,
     float* __restrict arrival = records.arrival_s.row(j);
     const Real film = static_cast<Real>(constants.film), wet = static_cast<Real>(constants.wet);
     const int nx = now.rise.nx();
+    const float datum = static_cast<float>(start.datum_m);
 #pragma GCC ivdep
     for (int i = 0; i < nx; ++i) {
         const Real h = depth[i] + rise[i];
@@ -35,7 +36,7 @@ void add_row(const ShallowConstants& constants, const ShallowStart<Real>& start,
         const Real speed = flow * std::sqrt(qx[i] * qx[i] + qy[i] * qy[i]);
         const bool wet_now = h > wet, arrived = wet_now && rise[i] > wet;
         const f32::CellRecord r =
-            f32::with_state({highest[i], fastest[i], arrival[i]}, static_cast<float>(surface[i] + rise[i]),
+            f32::with_state({highest[i], fastest[i], arrival[i]}, static_cast<float>(surface[i] + rise[i]) + datum,
                             static_cast<float>(speed), wet_now, arrived, time_s);
         highest[i] = r.highest;
         fastest[i] = r.fastest;

@@ -42,12 +42,14 @@ struct ShallowFields {
     ShallowFields(int nx, int ny) : rise(nx, ny), qx(nx, ny), qy(nx, ny) {}
 };
 
-/// What stays: the surface (m above level 0) and the depth (m) at the start. Surface = initial surface + rise, depth =
+/// What stays: the surface (m above the datum) and the depth (m) at the start. Surface = initial surface + rise, depth =
 /// initial depth + rise, height of the ground = initial surface - initial depth.
 template <class Real>
 struct ShallowStart {
     FramedRows<Real> surface;
     FramedRows<Real> depth;
+    /// Above level 0, m. Near the water, so that single precision holds a lake on a mountain as well as the sea.
+    double datum_m = 0;
 
     ShallowStart() = default;
     ShallowStart(int nx, int ny) : surface(nx, ny), depth(nx, ny) {}

@@ -81,6 +81,12 @@ Boundary boundary_of(const ShallowSides& sides) {
     return {side_of(sides.west, sides.east), side_of(sides.south, sides.north)};
 }
 
+ShallowEdges edges_of(const ShallowSides& sides) {
+    const auto is_closed = [](const ShallowSide& side) { return std::holds_alternative<WallSide>(side); };
+    return {is_periodic(sides.west), is_periodic(sides.south), is_closed(sides.west),
+            is_closed(sides.east),   is_closed(sides.south),   is_closed(sides.north)};
+}
+
 template <class Real>
 ShallowFrames<Real>::ShallowFrames(const Grid& grid, const ShallowSides& sides, double gravity_m_s2, double film_m)
     : grid_(grid), sides_(sides), gravity_(gravity_m_s2), film_(film_m) {}
@@ -177,7 +183,7 @@ double ShallowFrames<Real>::find_beyond(const SideDemand& demand, const SideView
         for (int n = 0; n < view.count(); ++n) {
             const Place from = view.at(n, depth);
             const Cell inside = cells.first(from);
-            const double surface = value(start.surface, from), still = value(start.depth, from);
+            const double surface = start.datum_m + value(start.surface, from), still = value(start.depth, from);
             const double h = std::max(still + inside.rise, 0.0);
             const double flow = f64::flow_per_discharge(h, film_);
             const f64::SideWater water{h, surface + inside.rise, still - surface, view.inward() * flow * inside.across,

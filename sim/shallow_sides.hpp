@@ -8,6 +8,7 @@
 #include "sim/grid.hpp"
 #include "sim/kernels/shallow_sides.hpp"
 #include "sim/shallow_rows.hpp"
+#include "sim/shallow_solver.hpp"
 #include "sim/shallow_water.hpp"
 
 namespace waterlight {
@@ -21,6 +22,9 @@ using SideDemands = std::array<f64::SideDemand, 4>;
 
 /// What the sides ask for at time_s.
 SideDemands side_demands(const ShallowSides& sides, double time_s);
+
+/// Walls are closed; a piston brings in the water that it displaces.
+ShallowEdges edges_of(const ShallowSides& sides);
 
 namespace shallow_sides {
 struct SideView;

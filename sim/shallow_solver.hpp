@@ -47,6 +47,13 @@ struct ShallowPeak {
     bool finite = true;
 };
 
+/// How the grid ends. Periodic: the frame along that axis is what lies on the other side. Closed: no water passes there,
+/// not even by rounding.
+struct ShallowEdges {
+    bool periodic_x = false, periodic_y = false;
+    bool closed_west = false, closed_east = false, closed_south = false, closed_north = false;
+};
+
 template <class Real>
 class ShallowSolver {
   public:

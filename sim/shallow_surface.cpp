@@ -21,6 +21,7 @@ template <class Real>
 void show_row(const ShallowView<Real>& view, int j, Surface& surface) {
     const ShallowStart<Real>& start = view.start;
     const Real film = static_cast<Real>(view.film_m);
+    const float datum = static_cast<float>(start.datum_m);
     const Real per_dx = static_cast<Real>(1 / view.grid.dx_m), per_dy = static_cast<Real>(1 / view.grid.dy_m);
     const Real* __restrict s = start.surface.row(j);
     const Real* __restrict s0 = start.surface.row(j - 1);
@@ -44,7 +45,7 @@ void show_row(const ShallowView<Real>& view, int j, Surface& surface) {
         const Real h = d[i] + r[i];
         const Real e = s[i] + r[i];
         const Real flow = flow_per_discharge(h, film);
-        elevation[i] = static_cast<float>(e);
+        elevation[i] = static_cast<float>(e) + datum;
         depth[i] = static_cast<float>(h);
         u[i] = static_cast<float>(flow * qx[i]);
         v[i] = static_cast<float>(flow * qy[i]);
@@ -64,7 +65,7 @@ ShallowTotals row_totals(const ShallowView<Real>& view, int j, double wet_m) {
         const ShallowState at = state_of(view, i, j);
         const double h = at.depth_m, ground = ground_of(view.start, i, j);
         const double dry_level = std::max(ground, 0.0);  // of still water, or of the ground above it
-        const double e = static_cast<double>(view.start.surface.row(j)[i]) + view.now.rise.row(j)[i];
+        const double e = view.start.datum_m + view.start.surface.row(j)[i] + view.now.rise.row(j)[i];
         sum.volume_m3 += h;
         sum.momentum_x_kg_m_s += h * at.velocity_m_s.x;
         sum.momentum_y_kg_m_s += h * at.velocity_m_s.y;
@@ -86,7 +87,7 @@ ShallowState state_of(const ShallowView<Real>& view, int i, int j) {
 
 template <class Real>
 double ground_of(const ShallowStart<Real>& start, int i, int j) {
-    return static_cast<double>(start.surface.row(j)[i]) - start.depth.row(j)[i];
+    return start.datum_m + start.surface.row(j)[i] - start.depth.row(j)[i];
 }
 
 template <class Real>

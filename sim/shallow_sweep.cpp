@@ -64,6 +64,8 @@ using f32::face_depth;
 using f32::flow_per_discharge;
 using f32::friction_part;
 using f32::ground_step;
+using f32::held_momentum;
+using f32::kept_flow;
 using f32::limited_steps;
 using f32::shallow_flux;
 using f32::slope_freedom;
@@ -74,6 +76,8 @@ using f64::face_depth;
 using f64::flow_per_discharge;
 using f64::friction_part;
 using f64::ground_step;
+using f64::held_momentum;
+using f64::kept_flow;
 using f64::limited_steps;
 using f64::shallow_flux;
 using f64::slope_freedom;
@@ -130,8 +134,8 @@ void find_faces(const CellRow<Real>& before, const CellRow<Real>& at, const Cell
         const Steps along = limited_steps(v[i] - v0[i], v1[i] - v[i], freedom);
         const Real e_low = e[i] - rise.low;
         const Real e_high = e[i] + rise.high;
-        const Real h_low = face_depth(e_low, z[i] - ground, h[i]);
-        const Real h_high = face_depth(e_high, z[i] + ground, h[i]);
+        const Real h_low = face_depth(h[i], ground - rise.low);
+        const Real h_high = face_depth(h[i], rise.high - ground);
         le[i] = e_low;
         he[i] = e_high;
         lh[i] = h_low;
@@ -169,6 +173,13 @@ void find_push(const Real* before_push_high, const Real* after_push_low, const R
                Real per_d, Real* __restrict push) {
 #pragma GCC ivdep
     for (int i = 0; i < nx; ++i) push[i] = per_d * (before_push_high[i] - after_push_low[i] - force[i]);
+}
+
+// Lets nothing through faces [from, to).
+template <class Real>
+void close(const FluxRow<Real>& flux, int from, int to) {
+    std::fill(flux.mass + from, flux.mass + to, Real(0));
+    std::fill(flux.along + from, flux.along + to, Real(0));
 }
 
 template <class Real>
@@ -210,14 +221,14 @@ class ShallowSweep<Real>::Band {
         x_force_ = row();
     }
 
-    static constexpr int scratch_rows = 15 + 15 + 12 + 8 + 12 + 12 + 12 + 1;
+    static constexpr int scratch_rows = 25 + 25 + 12 + 8 + 12 + 12 + 12 + 1;
 
     /// The band [first, last). Reads what it needs of rows beyond it, which others will change.
     void prepare(int first, int last) {
         first_ = first;
         last_ = last;
-        at_low_side_ = first == 0 && !s_.periodic_y_;
-        at_high_side_ = last == s_.ny_ && !s_.periodic_y_;
+        at_low_side_ = first == 0 && !s_.edges_.periodic_y;
+        at_high_side_ = last == s_.ny_ && !s_.edges_.periodic_y;
         lowest_ = at_low_side_ ? -1 : first - 2;
         highest_ = at_high_side_ ? last : last + 1;
         for (int r = lowest_ - 1; r < first; ++r) find_water_of(r, water_.at(r));
@@ -249,7 +260,7 @@ class ShallowSweep<Real>::Band {
     }
 
   private:
-    int wrapped(int r) const { return s_.periodic_y_ ? ((r % s_.ny_) + s_.ny_) % s_.ny_ : r; }
+    int wrapped(int r) const { return s_.edges_.periodic_y ? ((r % s_.ny_) + s_.ny_) % s_.ny_ : r; }
 
     void find_water_of(int r, const CellRow<Real>& to) {
         find_water<second>(start_, now_, change_, wrapped(r), stage_.film, to);
@@ -262,6 +273,8 @@ class ShallowSweep<Real>::Band {
                    y_low_, y_high_.at(r), y_force_.at(r));
         if (!has_flux) return;
         find_flux(y_high_.at(r - 1), y_low_, 0, s_.nx_, stage_.gravity, y_flux_.at(r));
+        if ((r == 0 && s_.edges_.closed_south) || (r == s_.ny_ && s_.edges_.closed_north))
+            close(y_flux_.at(r), 0, s_.nx_);
         find_push(y_flux_.at(r - 1).push_high, y_flux_.at(r).push_low, y_force_.at(r - 1), s_.nx_, stage_.per_dy,
                   y_push_.at(r - 1));
     }
@@ -271,6 +284,8 @@ class ShallowSweep<Real>::Band {
         find_faces(shifted(at, -1), at, shifted(at, 1), -1, s_.nx_ + 1, stage_.gravity, x_low_, x_high_, x_force_);
         const FluxRow<Real>& flux = x_flux_.at(r);
         find_flux(shifted(x_high_, -1), x_low_, 0, s_.nx_ + 1, stage_.gravity, flux);
+        if (s_.edges_.closed_west) close(flux, 0, 1);
+        if (s_.edges_.closed_east) close(flux, s_.nx_, s_.nx_ + 1);
         find_push(flux.push_high, flux.push_low + 1, x_force_, s_.nx_, stage_.per_dx, x_push_.at(r));
     }
 
@@ -296,10 +311,11 @@ class ShallowSweep<Real>::Band {
             const Real low_y = y[i] < none ? y[i] : none;
             const Real high_y = y1[i] > none ? y1[i] : none;
             drain[i] = drain_part(h[i], per_dx * (high_x - low_x) + per_dy * (high_y - low_y), dt);
-            cuts |= drain[i] < 1 ? 1 : 0;
+            const Real loss = dt * (per_dx * (x[i + 1] - x[i]) + per_dy * (y1[i] - y[i]));
+            cuts |= drain[i] < 1 || loss > Real(0.75) * h[i] ? 1 : 0;
         }
-        drain[-1] = s_.periodic_x_ ? drain[s_.nx_ - 1] : Real(1);
-        drain[s_.nx_] = s_.periodic_x_ ? drain[0] : Real(1);
+        drain[-1] = s_.edges_.periodic_x ? drain[s_.nx_ - 1] : Real(1);
+        drain[s_.nx_] = s_.edges_.periodic_x ? drain[0] : Real(1);
         drains_.at(r) = cuts != 0;
     }
 
@@ -323,6 +339,8 @@ class ShallowSweep<Real>::Band {
         const Real *push_x = x_push_.at(r), *push_y = y_push_.at(r);
         const Real *drain = drain_.at(r), *drain0 = drain_.at(r - 1), *drain1 = drain_.at(r + 1);
         const Real* depth = start_.depth.row(row);
+        const Real *h = water_.at(r).h, *u = water_.at(r).u, *v0 = water_.at(r - 1).v, *v = water_.at(r).v,
+                   *v1 = water_.at(r + 1).v;
         auto *rise = now_.rise.row(row), *qx = now_.qx.row(row), *qy = now_.qy.row(row);
         auto *more_rise = change_.rise.row(row), *more_qx = change_.qx.row(row), *more_qy = change_.qy.row(row);
         Real* carry = s_.carry_.row(row);
@@ -343,8 +361,22 @@ class ShallowSweep<Real>::Band {
                 north *= at_north, north_u *= at_north;
             }
             const Real gain = dt * (per_dx * (west - east) + per_dy * (south - north));
-            const Real gain_x = dt * (push_x[i] + per_dy * (south_u - north_u));
-            const Real gain_y = dt * (push_y[i] + per_dx * (west_v - east_v));
+            Real gain_x = dt * (push_x[i] + per_dy * (south_u - north_u));
+            Real gain_y = dt * (push_y[i] + per_dx * (west_v - east_v));
+            if constexpr (drains) {
+                // Water that is held back keeps its momentum.
+                gain_x += dt * per_dx *
+                          (held_momentum(x_mass[i + 1] - east, u[i], u[i + 1]) -
+                           held_momentum(x_mass[i] - west, u[i - 1], u[i]));
+                gain_y +=
+                    dt * per_dy *
+                    (held_momentum(y1_mass[i] - north, v[i], v1[i]) - held_momentum(y_mass[i] - south, v0[i], v[i]));
+                const Real part = kept_flow(h[i], h[i] + gain);
+                const Real from_x = second ? qx[i] + more_qx[i] : qx[i];
+                const Real from_y = second ? qy[i] + more_qy[i] : qy[i];
+                gain_x = part * (from_x + gain_x) - from_x;
+                gain_y = part * (from_y + gain_y) - from_y;
+            }
             if constexpr (second) {
                 const Real wanted = half * (more_rise[i] + gain) + carry[i];
                 const Real reached = rise[i] + wanted;
@@ -409,7 +441,7 @@ class ShallowSweep<Real>::Band {
     int first_ = 0, last_ = 0;
     int lowest_ = 0, highest_ = 0;  // rows of cells with faces
     bool at_low_side_ = false, at_high_side_ = false;
-    Ring<CellRow<Real>, 3> water_, ahead_;
+    Ring<CellRow<Real>, 5> water_, ahead_;
     FaceRow<Real> x_low_, x_high_, y_low_;
     Ring<FaceRow<Real>, 2> y_high_;
     Ring<FluxRow<Real>, 3> x_flux_, y_flux_;
@@ -420,8 +452,8 @@ class ShallowSweep<Real>::Band {
 };
 
 template <class Real>
-ShallowSweep<Real>::ShallowSweep(int nx, int ny, bool periodic_x, bool periodic_y)
-    : nx_(nx), ny_(ny), periodic_x_(periodic_x), periodic_y_(periodic_y), carry_(nx, ny) {}
+ShallowSweep<Real>::ShallowSweep(int nx, int ny, const ShallowEdges& edges)
+    : nx_(nx), ny_(ny), edges_(edges), carry_(nx, ny) {}
 
 template <class Real>
 template <bool second, class Now, class Change, class Work>

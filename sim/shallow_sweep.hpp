@@ -13,8 +13,7 @@ namespace waterlight {
 template <class Real>
 class ShallowSweep {
   public:
-    /// `periodic_*`: the frame along that axis is what lies on the other side.
-    ShallowSweep(int nx, int ny, bool periodic_x, bool periodic_y);
+    ShallowSweep(int nx, int ny, const ShallowEdges& edges);
 
     /// Heun's first stage: change = dt L(now). The depth of now + change stays at or above 0, and what leaves a cell
     /// enters its neighbours. The frames of `start` and `now` are filled.
@@ -38,7 +37,7 @@ class ShallowSweep {
                          Work work);
 
     int nx_, ny_;
-    bool periodic_x_, periodic_y_;
+    ShallowEdges edges_;
     /// What rounding has kept from the rise so far, to be given back with the next step: else what a film gives to deep
     /// water would be lost, and in single precision the volume would drift.
     Field<Real> carry_;

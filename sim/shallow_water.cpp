@@ -23,8 +23,7 @@ class RowSolver final : public ShallowSolver<Real> {
           start_(s.grid.nx, s.grid.ny),
           now_(s.grid.nx, s.grid.ny),
           change_(s.grid.nx, s.grid.ny),
-          sweep_(s.grid.nx, s.grid.ny, std::holds_alternative<PeriodicSide>(s.sides.west),
-                 std::holds_alternative<PeriodicSide>(s.sides.south)) {
+          sweep_(s.grid.nx, s.grid.ny, edges_of(s.sides)) {
         set_start(s, start_, now_);
         frames_.fill(start_);
         if (s.keep_records) records_ = empty_records(s.grid.nx, s.grid.ny);

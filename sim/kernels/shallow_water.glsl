@@ -29,13 +29,15 @@ struct FaceSteps {
 
 // The third-order upwind-biased steps (2 a + b) / 6 and (a + 2 b) / 6 from the differences a, b to the neighbours, limited
 // (Koren 1993) to `freedom`, see slope_freedom(), times the smaller of a and b, and to 0 where they differ in sign.
+// Mirrored to the last bit where the differences are.
 KERNEL FaceSteps limited_steps(real a, real b, real freedom) {
     real most = freedom * max(min(a, b), real(0));
     real least = freedom * min(max(a, b), real(0));
     real sixth = real(1) / real(6);
+    real sum = a + b;
     FaceSteps steps;
-    steps.low = max(min(sixth * (a + a + b), most), least);
-    steps.high = max(min(sixth * (a + b + b), most), least);
+    steps.low = max(min(sixth * (sum + a), most), least);
+    steps.high = max(min(sixth * (sum + b), most), least);
     return steps;
 }
 
@@ -48,10 +50,10 @@ KERNEL real ground_step(real before, real after) {
     return rising * min(min(a, b), real(0.25) * (a + b));
 }
 
-// Depth at a face: of the reconstructed surface over the ground there, but within 0 and twice the cell's own, so that a
-// cell does not offer more than it holds.
-KERNEL real face_depth(real surface, real ground, real h) {
-    return clamp(surface - ground, real(0), real(2) * h);
+// Depth at a face from the cell's own and what it gains up to there: the surface's rise less the ground's. Within 0 and
+// twice the cell's own, so that a cell does not offer more than it holds.
+KERNEL real face_depth(real h, real gain) {
+    return clamp(h + gain, real(0), real(2) * h);
 }
 
 // The force of the surface's slope within a cell, times the cell's size: g (mean depth) (rise from face to face).
@@ -77,27 +79,43 @@ struct FaceFlux {
     real along;      // momentum along the face
 };
 
-// HLL between two depths over a ground that both share. The middle depth is never negative, since no wave is taken for
-// slower than the water and its own waves on its side.
-KERNEL FaceFlux hll_flux(FaceWater low, FaceWater high, real g) {
+// Speeds of the slowest and the fastest wave from a face; 0 where all run to one side.
+struct FaceSpeeds {
+    real slow;
+    real fast;
+};
+
+// No wave is taken for slower than the water and its own waves on its side, so the depth between them is never negative;
+// nor than those on the other side, or a film would hold up deep fast water that it runs against.
+KERNEL FaceSpeeds hll_speeds(FaceWater low, FaceWater high, real g) {
     real c_low = sqrt(g * low.h);
     real c_high = sqrt(g * high.h);
     real u_middle = real(0.5) * (low.u + high.u) + c_low - c_high;
     real c_middle = real(0.5) * (c_low + c_high) + real(0.25) * (low.u - high.u);
-    real slow = min(low.u - c_low, u_middle - c_middle);
-    real fast = max(high.u + c_high, u_middle + c_middle);
+    real slow = min(min(low.u - c_low, high.u - c_high), u_middle - c_middle);
+    real fast = max(max(high.u + c_high, low.u + c_low), u_middle + c_middle);
     slow = low.h > real(0) ? slow : high.u - real(2) * c_high;
     fast = high.h > real(0) ? fast : low.u + real(2) * c_low;
-    slow = min(slow, real(0));
-    fast = max(fast, real(0));
+    FaceSpeeds speeds;
+    speeds.slow = min(slow, real(0));
+    speeds.fast = max(fast, real(0));
+    return speeds;
+}
+
+// HLL between two depths over a ground that both share. `rise` is high.h - low.h, known better than from depths in which
+// a small one is lost.
+KERNEL FaceFlux hll_flux(FaceWater low, FaceWater high, real rise, real g) {
+    FaceSpeeds speeds = hll_speeds(low, high, g);
+    real slow = speeds.slow;
+    real fast = speeds.fast;
     real per_width = real(1) / max(fast - slow, real(1e-18));
     real q_low = low.h * low.u;
     real q_high = high.h * high.u;
     real both = fast * slow;
-    real pressure_step = real(0.5) * g * (low.h + high.h) * (high.h - low.h);
+    real pressure_step = real(0.5) * g * (low.h + high.h) * rise;
     real advected = fast * q_low * low.u - slow * q_high * high.u + both * (q_high - q_low);
     FaceFlux flux;
-    flux.mass = per_width * (fast * q_low - slow * q_high + both * (high.h - low.h));
+    flux.mass = per_width * (fast * q_low - slow * q_high + both * rise);
     flux.push_low = per_width * (advected - slow * pressure_step);
     flux.push_high = per_width * (advected - fast * pressure_step);
     flux.along = flux.mass * (flux.mass > real(0) ? low.v : high.v);
@@ -105,17 +123,32 @@ KERNEL FaceFlux hll_flux(FaceWater low, FaceWater high, real g) {
 }
 
 // The flux through a face between cells whose grounds may differ there: only what stands above the higher ground meets.
+// In terms of the fall of the surface: between level surfaces both depths come out the same to the last bit, however high
+// they are, and waves far smaller than the depth keep their force.
 KERNEL FaceFlux shallow_flux(FaceWater low, FaceWater high, real g) {
-    real ground = max(low.e - low.h, high.e - high.h);
-    low.h = clamp(low.e - ground, real(0), low.h);
-    high.h = clamp(high.e - ground, real(0), high.h);
-    return hll_flux(low, high, g);
+    real fall = low.e - high.e;
+    real low_h = clamp(high.h + fall, real(0), low.h);
+    high.h = clamp(low.h - fall, real(0), high.h);
+    low.h = low_h;
+    return hll_flux(low, high, clamp(-fall, -low.h, high.h), g);
 }
 
 // The part of its outflow that a cell of depth h can give within a step, when `outflow` (m/s) leaves it over all faces.
 KERNEL real drain_part(real h, real outflow, real dt) {
     real wanted = dt * outflow;
     return wanted > h ? h / wanted * real(0.999999) : real(1);
+}
+
+// Momentum across a face that stays behind with `mass`, the part of the flux that draining has cut.
+KERNEL real held_momentum(real mass, real u_low, real u_high) {
+    return mass * (mass > real(0) ? u_low : u_high);
+}
+
+// The part of its discharge that a cell keeps when its depth falls from h to `left`: what leaves takes its own along,
+// so that the rest is not faster than it would be if it were still four times as deep.
+KERNEL real kept_flow(real h, real left) {
+    real most = real(4) * left;
+    return most < h ? most / h : real(1);
 }
 
 // What a step of dt leaves of the discharge under Manning's friction, q_t = -g n^2 |q| q / h^(7/3), solved exactly.

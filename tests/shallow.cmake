@@ -1,0 +1,7 @@
+# Laws of the shallow-water model.
+waterlight_test(shallow_tests
+    SOURCES
+        laws/shallow_rest.cpp
+        laws/shallow_riemann.cpp
+        laws/shallow_volume.cpp
+    LIBRARIES waterlight::sim)
