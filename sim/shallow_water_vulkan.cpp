@@ -163,8 +163,6 @@ class VulkanSolver final : public ShallowSolver<float> {
         const ShallowStage<float> stage = constants_.stage<float>(dt);
         ShallowParameters p{.nx = nx_,
                             .ny = ny_,
-                            .periodic_x = std::holds_alternative<PeriodicSide>(sides_.west),
-                            .periodic_y = std::holds_alternative<PeriodicSide>(sides_.south),
                             .dt = stage.dt,
                             .per_dx = stage.per_dx,
                             .per_dy = stage.per_dy,
@@ -172,12 +170,15 @@ class VulkanSolver final : public ShallowSolver<float> {
                             .film = stage.film,
                             .friction = stage.friction,
                             .wet = static_cast<float>(constants_.wet),
+                            .datum = static_cast<float>(start_.datum_m),
                             .time = static_cast<float>(time_s),
                             .stage = 0,
                             .sides = {}};
         const SideDemands demands = side_demands(sides_, time_s);
-        std::ranges::transform(demands, p.sides, [](const f64::SideDemand& d) {
-            return SideDemand{d.kind, static_cast<float>(d.value), static_cast<float>(d.u), static_cast<float>(d.v)};
+        std::ranges::transform(demands, p.sides, [&](const f64::SideDemand& d) {
+            const bool is_level = d.kind == BEYOND_LEVEL || d.kind == BEYOND_FLOW;
+            const double value = is_level ? d.value - start_.datum_m : d.value;
+            return SideDemand{d.kind, static_cast<float>(value), static_cast<float>(d.u), static_cast<float>(d.v)};
         });
         return p;
     }

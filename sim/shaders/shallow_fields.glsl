@@ -14,7 +14,7 @@ layout(push_constant) uniform Push { ShallowParameters p; };
 layout(std430, binding = 0) readonly buffer Start { vec2 start[]; };
 // Rise, discharge along x and y, and the carry of the rise: what rounding has kept from it so far.
 layout(std430, binding = 1) buffer Now { vec4 now[]; };
-// What the first stage adds to rise and discharge, and the depth that it leads to.
+// What the first stage adds to the rise, the discharge along x and y that it leads to, and the depth.
 layout(std430, binding = 2) buffer Change { vec4 change[]; };
 // Through the low face of a cell along x and along y: mass, momentum along the face, push on the cell on the low side,
 // and push on this cell less the force of the surface within it.
@@ -22,6 +22,9 @@ layout(std430, binding = 3) buffer FluxX { vec4 flux_x[]; };
 layout(std430, binding = 4) buffer FluxY { vec4 flux_y[]; };
 // Bits of the largest crossing rate: of numbers that are not negative they have the same order, and a NaN is on top.
 layout(std430, binding = 5) buffer Peak { uint peak; };
+
+bool is_periodic_x() { return p.sides[0].kind == BEYOND_PERIODIC; }
+bool is_periodic_y() { return p.sides[2].kind == BEYOND_PERIODIC; }
 
 int at(int i, int j) { return (j + 2) * (p.nx + 4) + i + 2; }
 

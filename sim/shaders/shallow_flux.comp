@@ -1,4 +1,4 @@
-// Flux through the low faces of every cell, of `now` (first stage) or of now + change (second). One cell more along each
+// Flux through the low faces of every cell, of `now` (first stage) or of what the first stage led to (second). One cell more along each
 // axis, for the faces of the far sides.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -13,7 +13,7 @@ struct CellWater {
 CellWater water(int i, int j, bool along_y) {
     int k = at(i, j);
     vec4 state = now[k];
-    if (p.stage == 2) state.xyz += change[k].xyz;
+    if (p.stage == 2) state.xyz = vec3(state.x + change[k].x, change[k].yz);
     vec2 first = start[k];
     real depth = first.y + state.x;
     real h = depth < 0 ? 0 : depth;  // a NaN stays
@@ -33,10 +33,14 @@ Faces faces(CellWater before, CellWater at, CellWater after) {
     FaceSteps e = limited_steps(at.e - before.e, after.e - at.e, freedom);
     FaceSteps u = limited_steps(at.u - before.u, after.u - at.u, freedom);
     FaceSteps v = limited_steps(at.v - before.v, after.v - at.v, freedom);
-    real e_low = at.e - e.low;
-    real e_high = at.e + e.high;
-    return Faces(FaceWater(e_low, face_depth(e_low, at.z - ground, at.h), at.u - u.low, at.v - v.low),
-                 FaceWater(e_high, face_depth(e_high, at.z + ground, at.h), at.u + u.high, at.v + v.high));
+    return Faces(FaceWater(at.e - e.low, face_depth(at.h, ground - e.low), at.u - u.low, at.v - v.low),
+                 FaceWater(at.e + e.high, face_depth(at.h, e.high - ground), at.u + u.high, at.v + v.high));
+}
+
+// Whether the low face of cell k of `cells` is a wall, which no water passes, not even by rounding.
+bool is_closed(int k, int cells, int low_side) {
+    return (k == 0 && p.sides[low_side].kind == BEYOND_WALL) ||
+           (k == cells && p.sides[low_side + 1].kind == BEYOND_WALL);
 }
 
 vec4 low_flux(int i, int j, bool along_y) {
@@ -49,7 +53,9 @@ vec4 low_flux(int i, int j, bool along_y) {
     Faces here = faces(w1, w2, w3);
     FaceFlux f = shallow_flux(before.high, here.low, p.gravity);
     real force = surface_force(p.gravity, here.low.h, here.high.h, here.low.e, here.high.e);
-    return vec4(f.mass, f.along, f.push_low, f.push_high - force);
+    bool closed = along_y ? is_closed(j, p.ny, 2) : is_closed(i, p.nx, 0);
+    vec2 passing = closed ? vec2(0) : vec2(f.mass, f.along);
+    return vec4(passing, f.push_low, f.push_high - force);
 }
 
 void main() {

@@ -1,6 +1,6 @@
 // What lies beyond the sides: x along a side, y = 0 and 1 the frame cells -1 and -2, z the side: west, east, south, north.
-// Fills `now`, and also finds the fastest waves that may flow in; or, after the first stage, `change`, such that
-// now + change is what lies beyond.
+// Fills `now`, and also finds the fastest waves that may flow in; or, after the first stage, `change`, such
+// that it leads to what lies beyond.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -29,9 +29,12 @@ int place(Side side, int n, int depth) {
 vec3 beyond(Side side, int from, vec3 state) {
     real inward = side.high ? -1 : 1;
     vec2 first = start[from];
+    real e = first.x + state.x;
     real h = max(first.y + state.x, 0);
     vec2 velocity = flow_per_discharge(h, p.film) * (side.along_y ? state.yz : state.zy);
-    SideWater inside = SideWater(h, first.x + state.x, first.y - first.x, inward * velocity.x, velocity.y);
+    // A wave is above level 0, any other demand above the datum.
+    if (side.demand.kind == BEYOND_WAVE) e += p.datum;
+    SideWater inside = SideWater(h, e, first.y - first.x - p.datum, inward * velocity.x, velocity.y);
     BeyondWater there = beyond_side(side.demand, inside, p.gravity);
     real rise = there.deeper > -h ? state.x + there.deeper : -first.y;  // dry to the last digit
     real h_beyond = max(h + there.deeper, 0);
@@ -56,8 +59,11 @@ void main() {
     vec3 inside = first ? change[from].xyz : now[from].xyz;
     bool wall = side.demand.kind == BEYOND_WALL;
     vec3 copied = wall ? mirrored(side, inside) : inside;
-    if (!wall && side.demand.kind != BEYOND_PERIODIC)
-        copied = first ? beyond(side, from, now[from].xyz + inside) - now[to].xyz : beyond(side, from, inside);
+    if (!wall && side.demand.kind != BEYOND_PERIODIC) {
+        if (first) inside.x += now[from].x;
+        copied = beyond(side, from, inside);
+        if (first) copied.x -= now[to].x;
+    }
     if (first)
         change[to] = vec4(copied, 0);
     else

@@ -3,15 +3,15 @@
 
 struct ShallowParameters {
     int nx, ny;
-    int periodic_x, periodic_y;
     // Of ShallowStage.
     float dt;
     float per_dx, per_dy;
     float gravity;
     float film;
     float friction;
-    float wet;   // ShallowWaterSettings::wet_m
-    float time;  // s since the start
-    int stage;   // 1 and 2: the stages of a step; 0: a look at what is there
-    SideDemand sides[4];  // west, east, south, north
+    float wet;    // ShallowWaterSettings::wet_m
+    float datum;  // of the surface, m above level 0
+    float time;   // s since the start
+    int stage;    // 1 and 2: the stages of a step; 0: a look at what is there
+    SideDemand sides[4];  // west, east, south, north; levels are above the datum
 };

@@ -8,60 +8,81 @@
 
 shared uint fastest;
 
-// The part of its outflow that a cell can give; all of it beyond the sides.
-real drain(int i, int j) {
-    if (p.periodic_x != 0) i = i < 0 ? p.nx - 1 : i == p.nx ? 0 : i;
-    if (p.periodic_y != 0) j = j < 0 ? p.ny - 1 : j == p.ny ? 0 : j;
-    if (i < 0 || i >= p.nx || j < 0 || j >= p.ny) return 1;
-    int k = at(i, j);
-    precise real first_depth = start[k].y + now[k].x;
-    real h = p.stage == 2 ? change[k].w : first_depth;
-    real low_x = min(flux_x[k].x, 0);
+// What a cell gives through its faces: the part of its outflow that it can, and the velocity of the rest. Beyond the
+// sides all of it.
+struct Donor {
+    real part;
+    vec2 velocity;
+};
+
+real outflow(int i, int j) {
+    real low_x = min(flux_x[at(i, j)].x, 0);
     real high_x = max(flux_x[at(i + 1, j)].x, 0);
-    real low_y = min(flux_y[k].x, 0);
+    real low_y = min(flux_y[at(i, j)].x, 0);
     real high_y = max(flux_y[at(i, j + 1)].x, 0);
-    precise real outflow = p.per_dx * (high_x - low_x) + p.per_dy * (high_y - low_y);
-    return drain_part(h, outflow, p.dt);
+    precise real all = p.per_dx * (high_x - low_x) + p.per_dy * (high_y - low_y);
+    return all;
 }
 
-// Mass and momentum along a face, as much of them as the cell that they leave can give.
-vec2 given(vec4 flux, real low_drain, real high_drain) {
-    precise vec2 part = flux.xy * (flux.x > 0 ? low_drain : high_drain);
-    return part;
-}
-
-// Rate of change over the stage, times dt, of rise and discharge.
-vec3 gain(int i, int j) {
-    vec4 west = flux_x[at(i, j)], east = flux_x[at(i + 1, j)];
-    vec4 south = flux_y[at(i, j)], north = flux_y[at(i, j + 1)];
-    real own = drain(i, j);
-    vec2 in_west = given(west, west.x > 0 ? drain(i - 1, j) : own, own);
-    vec2 out_east = given(east, own, east.x > 0 ? own : drain(i + 1, j));
-    vec2 in_south = given(south, south.x > 0 ? drain(i, j - 1) : own, own);
-    vec2 out_north = given(north, own, north.x > 0 ? own : drain(i, j + 1));
-    real push_x = p.per_dx * (west.w - east.z);
-    real push_y = p.per_dy * (south.w - north.z);
-    precise real rise = p.dt * (p.per_dx * (in_west.x - out_east.x) + p.per_dy * (in_south.x - out_north.x));
-    return vec3(rise, p.dt * (push_x + p.per_dy * (in_south.y - out_north.y)),
-                p.dt * (push_y + p.per_dx * (in_west.y - out_east.y)));
-}
-
-void first_stage(int k, vec3 gained) {
+// Discharge and depth of a cell that the stage starts from.
+vec3 from(int k) {
     precise real depth = start[k].y + now[k].x;
-    precise real rise = gained.x < -depth ? -depth : gained.x;
-    precise real next = start[k].y + (now[k].x + rise);
-    change[k] = vec4(rise, gained.yz, next < 0 ? 0 : next);  // a NaN stays
+    return p.stage == 2 ? change[k].yzw : vec3(now[k].yz, depth < 0 ? 0 : depth);  // a NaN stays
 }
 
-void second_stage(int k, vec3 gained) {
+Donor donor(int i, int j) {
+    if (is_periodic_x()) i = i < 0 ? p.nx - 1 : i == p.nx ? 0 : i;
+    if (is_periodic_y()) j = j < 0 ? p.ny - 1 : j == p.ny ? 0 : j;
+    if (i < 0 || i >= p.nx || j < 0 || j >= p.ny) return Donor(1, vec2(0));
+    vec3 water = from(at(i, j));
+    real part = drain_part(water.z, outflow(i, j), p.dt);
+    return Donor(part, part < 1 ? flow_per_discharge(water.z, p.film) * water.xy : vec2(0));
+}
+
+// Of the flux through a face what its donor can give.
+struct Given {
+    real mass, along;
+    real held;  // momentum across the face that stays behind
+};
+
+Given given(vec4 flux, Donor donor, bool along_y) {
+    precise vec2 part = flux.xy * donor.part;
+    real velocity = along_y ? donor.velocity.y : donor.velocity.x;
+    return Given(part.x, part.y, held_momentum(flux.x - part.x, velocity, velocity));
+}
+
+// The rise that the stage adds, and the discharge that it leads to.
+vec3 advanced(int i, int j) {
+    vec4 flux_west = flux_x[at(i, j)], flux_east = flux_x[at(i + 1, j)];
+    vec4 flux_south = flux_y[at(i, j)], flux_north = flux_y[at(i, j + 1)];
+    Donor own = donor(i, j);
+    Given west = given(flux_west, flux_west.x > 0 ? donor(i - 1, j) : own, false);
+    Given east = given(flux_east, flux_east.x > 0 ? own : donor(i + 1, j), false);
+    Given south = given(flux_south, flux_south.x > 0 ? donor(i, j - 1) : own, true);
+    Given north = given(flux_north, flux_north.x > 0 ? own : donor(i, j + 1), true);
+    vec2 push = vec2(p.per_dx * (flux_west.w - flux_east.z + east.held - west.held),
+                     p.per_dy * (flux_south.w - flux_north.z + north.held - south.held));
+    vec2 carried = vec2(p.per_dy * (south.along - north.along), p.per_dx * (west.along - east.along));
+    precise real rise = p.dt * (p.per_dx * (west.mass - east.mass) + p.per_dy * (south.mass - north.mass));
+    vec3 water = from(at(i, j));
+    return vec3(rise, kept_flow(water.z, water.z + rise) * (water.xy + p.dt * (push + carried)));
+}
+
+void first_stage(int k, vec3 reached) {
+    precise real depth = start[k].y + now[k].x;
+    precise real rise = reached.x < -depth ? -depth : reached.x;
+    precise real next = start[k].y + (now[k].x + rise);
+    change[k] = vec4(rise, reached.yz, next < 0 ? 0 : next);  // a NaN stays
+}
+
+void second_stage(int k, vec3 reached) {
     vec4 before = now[k];
-    vec4 first = change[k];
     real empty = -start[k].y;
-    precise real wanted = 0.5 * (first.x + gained.x) + before.w;
-    precise real reached = before.x + wanted;
-    precise real next = reached < empty ? empty : reached;  // a NaN stays
+    precise real wanted = 0.5 * (change[k].x + reached.x) + before.w;
+    precise real level = before.x + wanted;
+    precise real next = level < empty ? empty : level;  // a NaN stays
     precise real carry = wanted - (next - before.x);
-    vec2 q = before.yz + 0.5 * (first.yz + gained.yz);
+    vec2 q = 0.5 * (before.yz + reached.yz);
     if (p.friction > 0) q *= friction_part(start[k].y + next, length(q), p.friction, p.film);
     now[k] = vec4(next, q, carry);
 }
@@ -77,8 +98,8 @@ uint settle(int k) {
 
 uint update(int i, int j) {
     int k = at(i, j);
-    if (p.stage == 1) first_stage(k, gain(i, j));
-    if (p.stage == 2) second_stage(k, gain(i, j));
+    if (p.stage == 1) first_stage(k, advanced(i, j));
+    if (p.stage == 2) second_stage(k, advanced(i, j));
     return p.stage == 1 ? 0 : settle(k);
 }
 

@@ -105,6 +105,15 @@ ShallowWaterSettings deep_sea() {
     return s;
 }
 
+// The shore of a lake 2 km up; its west side is held at a level of its own, through the east it flows out.
+ShallowWaterSettings mountain_lake() {
+    ShallowWaterSettings s =
+        with_sides(shore(), {LevelSide{swing(0.1, 2)}, OpenSide{}, FlowSide{2000.1, {0, 0.5}}, {}});
+    for (double& height : s.bed_m.values()) height += 2000;
+    for (double& level : std::get<LevelSide>(s.sides.west).elevation_m.value) level += 2000;
+    return s;
+}
+
 struct Scene {
     const char* name;
     std::vector<ShallowWaterSettings> runs;
@@ -150,6 +159,7 @@ std::vector<Scene> scenes() {
              with_sides(shore(1, 60), {round, round, LevelSide{swing(.1, 2)}, OpenSide{}}),
              with_sides(shore(2, 60), {round, round, {}, {}}), shore(1, 1)),
         0.3, 300);
+    add("mountain_lake", runs(mountain_lake()), 0.3, 300);
     add("deep_sea", runs(deep_sea()), 0.5, 300, 60);
     return all;
 }
