@@ -254,6 +254,11 @@ class ShallowSweep<Real>::Band {
         return peak_;
     }
 
+    ShallowPeak rub() {
+        for (int r = first_; r < last_; ++r) rub(r);
+        return peak_;
+    }
+
     ShallowPeak look() {
         for (int r = first_; r < last_; ++r) calm(r);
         return peak_;
@@ -480,6 +485,12 @@ ShallowPeak ShallowSweep<Real>::in_bands(const ShallowStage<Real>& stage, const 
         peak.finite = peak.finite && p.finite;
     }
     return peak;
+}
+
+template <class Real>
+void ShallowSweep<Real>::rub(const ShallowStage<Real>& stage, const ShallowStart<Real>& start,
+                             const ShallowFields<Real>& change, ShallowFields<Real>& now) {
+    in_bands<true>(stage, start, now, change, [](Band<true>& band) { return band.rub(); });
 }
 
 template <class Real>

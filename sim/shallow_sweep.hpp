@@ -14,7 +14,7 @@ struct ShallowStage {
     Real per_dx = 0, per_dy = 0;  ///< 1/m
     Real gravity = 0;
     Real film = 0;      ///< m; see flow_per_discharge()
-    Real friction = 0;  ///< g n^2 dt, applied at the end of the step where it is above 0
+    Real friction = 0;  ///< g n^2 dt / 2: half of the step's friction goes before it, half after it (Strang)
 };
 
 /// What a stage saw of its result.
@@ -37,12 +37,17 @@ class ShallowSweep {
   public:
     ShallowSweep(int nx, int ny, const ShallowEdges& edges);
 
+    /// The friction before the step.
+    void rub(const ShallowStage<Real>& stage, const ShallowStart<Real>& start, const ShallowFields<Real>& change,
+             ShallowFields<Real>& now);
+
     /// Heun's first stage: change = dt L(now). The depth of now + change stays at or above 0, and what leaves a cell
     /// enters its neighbours. The frames of `start` and `now` are filled.
     void first_stage(const ShallowStage<Real>& stage, const ShallowStart<Real>& start, const ShallowFields<Real>& now,
                      ShallowFields<Real>& change);
 
-    /// The second: now += (change + dt L(now + change)) / 2, then friction. The frame of `change` is filled too.
+    /// The second: now += (change + dt L(now + change)) / 2, then the friction after it. The frame of `change` is filled
+    /// too.
     ShallowPeak second_stage(const ShallowStage<Real>& stage, const ShallowStart<Real>& start,
                              const ShallowFields<Real>& change, ShallowFields<Real>& now);
 

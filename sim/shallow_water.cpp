@@ -98,7 +98,7 @@ ShallowStage<Real> ShallowWater<Real>::stage(double dt) const {
             .per_dy = static_cast<Real>(1 / grid_.dy_m),
             .gravity = static_cast<Real>(g),
             .film = static_cast<Real>(film_),
-            .friction = static_cast<Real>(g * manning_ * manning_ * dt)};
+            .friction = static_cast<Real>(0.5 * g * manning_ * manning_ * dt)};
 }
 
 template <class Real>
@@ -128,10 +128,14 @@ double ShallowWater<Real>::next_step(double remaining_s) {
     return remaining_s / std::ceil(remaining_s / longest);
 }
 
-// Heun's method: change = dt L(u), then u += (change + dt L(u + change)) / 2; friction follows.
+// Heun's method: change = dt L(u), then u += (change + dt L(u + change)) / 2; half of the friction before, half after.
 template <class Real>
 void ShallowWater<Real>::step(double dt) {
     const ShallowStage<Real> stage = this->stage(dt);
+    if (stage.friction > 0) {
+        sweep_.rub(stage, start_, change_, now_);
+        frames_.fill(start_, time_s_, now_);
+    }
     sweep_.first_stage(stage, start_, now_, change_);
     frames_.fill(start_, time_s_ + dt, now_, change_);
     peak_ = sweep_.second_stage(stage, start_, change_, now_);

@@ -2,6 +2,9 @@
 waterlight_test(shallow_tests
     SOURCES
         laws/shallow_rest.cpp
+        laws/shallow_energy.cpp
+        laws/shallow_friction.cpp
+        laws/shallow_orders.cpp
         laws/shallow_riemann.cpp
         laws/shallow_volume.cpp
     LIBRARIES waterlight::sim)
