@@ -100,17 +100,16 @@ Boundary boundary_of(const ShallowSides& sides) {
     return {side_of(sides.west, sides.east), side_of(sides.south, sides.north)};
 }
 
-ShallowEdges edges_of(const ShallowSides& sides) {
-    const auto is_closed = [](const ShallowSide& side) { return std::holds_alternative<WallSide>(side); };
-    return {is_periodic(sides.west), is_periodic(sides.south), is_closed(sides.west),
-            is_closed(sides.east),   is_closed(sides.south),   is_closed(sides.north)};
-}
-
 template <class Real>
 ShallowFrames<Real>::ShallowFrames(const Grid& grid, const ShallowSides& sides, double gravity_m_s2, double film_m)
     : grid_(grid), sides_(sides), gravity_(gravity_m_s2), film_(film_m) {}
 
 namespace {
+
+ShallowGate gate_of(const ShallowSide& side, double inward, double time_s) {
+    if (const auto* river = std::get_if<DischargeSide>(&side)) return {true, inward * river->discharge_m2_s.at(time_s)};
+    return {std::holds_alternative<WallSide>(side), 0};
+}
 
 /// Calls work(side, view) for the four sides.
 template <class Work>
@@ -122,6 +121,12 @@ void for_sides(const Grid& grid, const ShallowSides& sides, Work work) {
 }
 
 }  // namespace
+
+template <class Real>
+ShallowGates ShallowFrames<Real>::gates(double time_s) const {
+    return {gate_of(sides_.west, 1, time_s), gate_of(sides_.east, -1, time_s), gate_of(sides_.south, 1, time_s),
+            gate_of(sides_.north, -1, time_s)};
+}
 
 template <class Real>
 void ShallowFrames<Real>::fill(ShallowStart<Real>& start) const {

@@ -13,9 +13,6 @@ namespace waterlight {
 /// water pass on both sides absorbs.
 Boundary boundary_of(const ShallowSides& sides);
 
-/// Walls are closed; a piston brings in the water that it displaces.
-ShallowEdges edges_of(const ShallowSides& sides);
-
 namespace shallow_sides {
 struct SideView;
 }
@@ -25,6 +22,9 @@ class ShallowFrames {
   public:
     /// Of films thinner than `film` (m) the velocity fades, see flow_per_discharge().
     ShallowFrames(const Grid& grid, const ShallowSides& sides, double gravity_m_s2, double film_m);
+
+    /// What passes walls and rivers at time_s.
+    ShallowGates gates(double time_s) const;
 
     /// The frame of the ground and of the initial surface: mirrored at walls, repeated where periodic, level elsewhere.
     void fill(ShallowStart<Real>& start) const;

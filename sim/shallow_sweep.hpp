@@ -7,12 +7,22 @@
 
 namespace waterlight {
 
+/// A side through which the flow is given, exactly and not as it comes out between inside and frame: none at walls.
+struct ShallowGate {
+    bool given = false;
+    double discharge_m2_s = 0;  ///< along the axis
+};
+struct ShallowGates {
+    ShallowGate west, east, south, north;
+};
+
 /// What a stage needs to know besides the fields.
 template <class Real>
 struct ShallowStage {
     Real dt = 0;
     Real per_dx = 0, per_dy = 0;  ///< 1/m
     Real gravity = 0;
+    ShallowGates gates;
     Real film = 0;      ///< m; see flow_per_discharge()
     Real friction = 0;  ///< g n^2 dt / 2: half of the step's friction goes before it, half after it (Strang)
 };
@@ -23,19 +33,13 @@ struct ShallowPeak {
     bool finite = true;
 };
 
-/// How the grid ends. Periodic: the frame along that axis is what lies on the other side. Closed: no water passes there,
-/// not even by rounding.
-struct ShallowEdges {
-    bool periodic_x = false, periodic_y = false;
-    bool closed_west = false, closed_east = false, closed_south = false, closed_north = false;
-};
-
 /// Stages for one grid. Fields are handled in bands of rows, one a thread; each row comes out the same whatever the
 /// bands.
 template <class Real>
 class ShallowSweep {
   public:
-    ShallowSweep(int nx, int ny, const ShallowEdges& edges);
+    /// `periodic_*`: the frame along that axis is what lies on the other side.
+    ShallowSweep(int nx, int ny, bool periodic_x, bool periodic_y);
 
     /// The friction before the step.
     void rub(const ShallowStage<Real>& stage, const ShallowStart<Real>& start, const ShallowFields<Real>& change,
@@ -64,7 +68,7 @@ class ShallowSweep {
                          Work work);
 
     int nx_, ny_;
-    ShallowEdges edges_;
+    bool periodic_x_, periodic_y_;
     /// What rounding has kept from the rise so far, to be given back with the next step: else what a film gives to deep
     /// water would be lost, and in single precision the volume would drift.
     Field<Real> carry_;

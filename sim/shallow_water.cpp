@@ -42,7 +42,7 @@ class ShallowWater final : public ShallowWaterModel {
   private:
     ShallowView<Real> view() const { return {grid_, water_, start_, now_, film_}; }
     double rate() const { return std::max(peak_.rate, side_rate_); }
-    ShallowStage<Real> stage(double dt) const;
+    ShallowStage<Real> stage(double dt, double time_s) const;
     double next_step(double remaining_s);
     void step(double dt);
     void look();
@@ -80,7 +80,8 @@ ShallowWater<Real>::ShallowWater(const ShallowWaterSettings& s)
       start_(s.grid.nx, s.grid.ny),
       now_(s.grid.nx, s.grid.ny),
       change_(s.grid.nx, s.grid.ny),
-      sweep_(s.grid.nx, s.grid.ny, edges_of(s.sides)),
+      sweep_(s.grid.nx, s.grid.ny, std::holds_alternative<PeriodicSide>(s.sides.west),
+             std::holds_alternative<PeriodicSide>(s.sides.south)),
       least_step_s_(least_part / still_rate(s)),
       surface_(s.grid, boundary_of(s.sides)) {
     set_start(s, start_, now_);
@@ -91,12 +92,13 @@ ShallowWater<Real>::ShallowWater(const ShallowWaterSettings& s)
 }
 
 template <class Real>
-ShallowStage<Real> ShallowWater<Real>::stage(double dt) const {
+ShallowStage<Real> ShallowWater<Real>::stage(double dt, double time_s) const {
     const double g = water_.gravity_m_s2;
     return {.dt = static_cast<Real>(dt),
             .per_dx = static_cast<Real>(1 / grid_.dx_m),
             .per_dy = static_cast<Real>(1 / grid_.dy_m),
             .gravity = static_cast<Real>(g),
+            .gates = frames_.gates(time_s),
             .film = static_cast<Real>(film_),
             .friction = static_cast<Real>(0.5 * g * manning_ * manning_ * dt)};
 }
@@ -131,21 +133,21 @@ double ShallowWater<Real>::next_step(double remaining_s) {
 // Heun's method: change = dt L(u), then u += (change + dt L(u + change)) / 2; half of the friction before, half after.
 template <class Real>
 void ShallowWater<Real>::step(double dt) {
-    const ShallowStage<Real> stage = this->stage(dt);
-    if (stage.friction > 0) {
-        sweep_.rub(stage, start_, change_, now_);
+    const ShallowStage<Real> first = stage(dt, time_s_), second = stage(dt, time_s_ + dt);
+    if (first.friction > 0) {
+        sweep_.rub(first, start_, change_, now_);
         frames_.fill(start_, time_s_, now_);
     }
-    sweep_.first_stage(stage, start_, now_, change_);
+    sweep_.first_stage(first, start_, now_, change_);
     frames_.fill(start_, time_s_ + dt, now_, change_);
-    peak_ = sweep_.second_stage(stage, start_, change_, now_);
+    peak_ = sweep_.second_stage(second, start_, change_, now_);
     dt_ = dt;
     ++steps_;
 }
 
 template <class Real>
 void ShallowWater<Real>::look() {
-    peak_ = sweep_.look(stage(0), start_, change_, now_);
+    peak_ = sweep_.look(stage(0, time_s_), start_, change_, now_);
     side_rate_ = frames_.fill(start_, time_s_, now_);
     surface_is_new_ = false;
 }
