@@ -54,9 +54,22 @@ int source_of(const ShallowSide& side, const SideView& view, int frame) {
     return is_walled(side) ? std::min(-1 - frame, view.across() - 1) : 0;
 }
 
+/// A time, and the step it belongs to.
+struct Moment {
+    double time_s;
+    ShallowMoment step;
+};
+
+double mean_rate(const TimeSeries& series, const ShallowMoment& step) {
+    if (!(step.to_s > step.from_s)) return series.rate_at(step.from_s);
+    return (series.at(step.to_s) - series.at(step.from_s)) / (step.to_s - step.from_s);
+}
+
 /// The water beyond a side of each kind, from the water inside. u is the velocity into the domain.
 struct Beyond {
-    double time_s, gravity, ground, inward;
+    double time_s;
+    ShallowMoment step;
+    double gravity, ground, inward;
     bool along_y;
     f64::SideWater inside;
     double inside_v;  // along the side
@@ -84,7 +97,7 @@ struct Beyond {
         return {{std::max(side.elevation_m - ground, 0.0), inward * across}, along};
     }
     Water operator()(const PistonSide& side) const {
-        return {{inside.h, 2 * side.displacement_m.rate_at(time_s) - inside.u}, inside_v};
+        return {{inside.h, 2 * mean_rate(side.displacement_m, step) - inside.u}, inside_v};
     }
     Water wave(double elevation_m) const {
         const double coming_in = f64::incident_characteristic(-ground, elevation_m, gravity);
@@ -185,7 +198,7 @@ void set_cell(const Cell& cell, const SideView& view, Place at, ShallowFields<Re
 template <class Real>
 template <class Inside, class Put>
 double ShallowFrames<Real>::find_beyond(const ShallowSide& side, const SideView& view, const ShallowStart<Real>& start,
-                                        double time_s, const std::pair<Inside, Put>& cells) const {
+                                        const Moment& moment, const std::pair<Inside, Put>& cells) const {
     double fastest = 0;
     for (int frame = -2; frame < 0; ++frame) {
         for (int n = 0; n < view.count(); ++n) {
@@ -194,7 +207,8 @@ double ShallowFrames<Real>::find_beyond(const ShallowSide& side, const SideView&
             const double still = value(start.depth, from);
             const double h = still + inside.rise;
             const double flow = f64::flow_per_discharge(h, film_);
-            const Beyond beyond{time_s,
+            const Beyond beyond{moment.time_s,
+                                moment.step,
                                 gravity_,
                                 start.datum_m + value(start.surface, from) - still,
                                 view.inward(),
@@ -213,20 +227,21 @@ double ShallowFrames<Real>::find_beyond(const ShallowSide& side, const SideView&
 }
 
 template <class Real>
-double ShallowFrames<Real>::fill(const ShallowStart<Real>& start, double time_s, ShallowFields<Real>& now) const {
+double ShallowFrames<Real>::fill(const ShallowStart<Real>& start, const ShallowMoment& step,
+                                 ShallowFields<Real>& now) const {
     double fastest = 0;
     for_sides(grid_, sides_, [&](const ShallowSide& side, const SideView& view) {
         if (copies(side)) return copy_frame(side, view, now);
         const auto inside = [&](Place at) { return cell(now, view, at); };
         const auto put = [&](Place at, const Cell& beyond) { set_cell(beyond, view, at, now); };
-        fastest = std::max(fastest, find_beyond(side, view, start, time_s, std::pair{inside, put}));
+        fastest = std::max(fastest, find_beyond(side, view, start, {step.from_s, step}, std::pair{inside, put}));
     });
     return fastest;
 }
 
 template <class Real>
-void ShallowFrames<Real>::fill(const ShallowStart<Real>& start, double time_s, const ShallowFields<Real>& now,
-                               ShallowFields<Real>& change) const {
+void ShallowFrames<Real>::fill(const ShallowStart<Real>& start, const ShallowMoment& step,
+                               const ShallowFields<Real>& now, ShallowFields<Real>& change) const {
     for_sides(grid_, sides_, [&](const ShallowSide& side, const SideView& view) {
         if (copies(side)) return copy_frame(side, view, change);
         const auto inside = [&](Place at) {
@@ -237,8 +252,17 @@ void ShallowFrames<Real>::fill(const ShallowStart<Real>& start, double time_s, c
             const Cell a = cell(now, view, at);
             set_cell({beyond.rise - a.rise, beyond.across - a.across, beyond.along - a.along}, view, at, change);
         };
-        find_beyond(side, view, start, time_s, std::pair{inside, put});
+        find_beyond(side, view, start, {step.to_s, step}, std::pair{inside, put});
     });
+}
+
+template <class Real>
+bool ShallowFrames<Real>::has_series() const {
+    const auto moves = [](const ShallowSide& side) {
+        return std::holds_alternative<IncidentSide>(side) || std::holds_alternative<DischargeSide>(side) ||
+               std::holds_alternative<LevelSide>(side) || std::holds_alternative<PistonSide>(side);
+    };
+    return moves(sides_.west) || moves(sides_.east) || moves(sides_.south) || moves(sides_.north);
 }
 
 template class ShallowFrames<float>;

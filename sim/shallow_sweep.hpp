@@ -50,8 +50,8 @@ class ShallowSweep {
     void first_stage(const ShallowStage<Real>& stage, const ShallowStart<Real>& start, const ShallowFields<Real>& now,
                      ShallowFields<Real>& change);
 
-    /// The second: now += (change + dt L(now + change)) / 2, then the friction after it. The frame of `change` is filled
-    /// too.
+    /// The second: now += (change + dt L(now + change)) / 2, then the friction after it. The frame of `change` is
+    /// filled too.
     ShallowPeak second_stage(const ShallowStage<Real>& stage, const ShallowStart<Real>& start,
                              const ShallowFields<Real>& change, ShallowFields<Real>& now);
 

@@ -21,7 +21,7 @@ namespace waterlight {
 namespace {
 
 // A step shorter than this part of the time in which the initial water's waves cross a cell is a collapse.
-constexpr double least_part = 1e-6;
+constexpr double least_part = 1e-9;
 
 template <class Real>
 class ShallowWater final : public ShallowWaterModel {
@@ -41,7 +41,7 @@ class ShallowWater final : public ShallowWaterModel {
 
   private:
     ShallowView<Real> view() const { return {grid_, water_, start_, now_, film_}; }
-    double rate() const { return std::max(peak_.rate, side_rate_); }
+    double rate() const { return std::max({peak_.rate, side_rate_, least_rate_}); }
     ShallowStage<Real> stage(double dt, double time_s) const;
     double next_step(double remaining_s);
     void step(double dt);
@@ -59,6 +59,7 @@ class ShallowWater final : public ShallowWaterModel {
     ShallowSweep<Real> sweep_;
     ShallowPeak peak_;
     double side_rate_ = 0;
+    double least_rate_;  ///< what may come in with time must not be passed over, as long as hardly any water is there
     double least_step_s_;
     double time_s_ = 0, dt_ = 0;
     std::int64_t steps_ = 0;
@@ -82,6 +83,7 @@ ShallowWater<Real>::ShallowWater(const ShallowWaterSettings& s)
       change_(s.grid.nx, s.grid.ny),
       sweep_(s.grid.nx, s.grid.ny, std::holds_alternative<PeriodicSide>(s.sides.west),
              std::holds_alternative<PeriodicSide>(s.sides.south)),
+      least_rate_(frames_.has_series() ? still_rate(s) : 0),
       least_step_s_(least_part / still_rate(s)),
       surface_(s.grid, boundary_of(s.sides)) {
     set_start(s, start_, now_);
@@ -122,7 +124,7 @@ void ShallowWater<Real>::advance(double frame_s) {
 // The longest step that the Courant number allows, of which the remaining time is a multiple.
 template <class Real>
 double ShallowWater<Real>::next_step(double remaining_s) {
-    side_rate_ = frames_.fill(start_, time_s_, now_);
+    side_rate_ = frames_.fill(start_, {time_s_, time_s_}, now_);
     if (!(peak_.finite && std::isfinite(side_rate_))) fail("a number is not finite");
     if (rate() * remaining_s <= cfl_) return remaining_s;
     const double longest = cfl_ / rate();
@@ -134,12 +136,11 @@ double ShallowWater<Real>::next_step(double remaining_s) {
 template <class Real>
 void ShallowWater<Real>::step(double dt) {
     const ShallowStage<Real> first = stage(dt, time_s_), second = stage(dt, time_s_ + dt);
-    if (first.friction > 0) {
-        sweep_.rub(first, start_, change_, now_);
-        frames_.fill(start_, time_s_, now_);
-    }
+    const ShallowMoment moment{time_s_, time_s_ + dt};
+    if (first.friction > 0) sweep_.rub(first, start_, change_, now_);
+    if (first.friction > 0 || frames_.has_series()) frames_.fill(start_, moment, now_);
     sweep_.first_stage(first, start_, now_, change_);
-    frames_.fill(start_, time_s_ + dt, now_, change_);
+    frames_.fill(start_, moment, now_, change_);
     peak_ = sweep_.second_stage(second, start_, change_, now_);
     dt_ = dt;
     ++steps_;
@@ -148,7 +149,7 @@ void ShallowWater<Real>::step(double dt) {
 template <class Real>
 void ShallowWater<Real>::look() {
     peak_ = sweep_.look(stage(0, time_s_), start_, change_, now_);
-    side_rate_ = frames_.fill(start_, time_s_, now_);
+    side_rate_ = frames_.fill(start_, {time_s_, time_s_}, now_);
     surface_is_new_ = false;
 }
 
@@ -161,7 +162,7 @@ void ShallowWater<Real>::fail(const std::string& what) const {
 template <class Real>
 const Surface& ShallowWater<Real>::surface() {
     if (surface_is_new_) return surface_;
-    frames_.fill(start_, time_s_, now_);
+    frames_.fill(start_, {time_s_, time_s_}, now_);
     surface_.time_s = time_s_;
     show_surface(view(), surface_);
     surface_is_new_ = true;

@@ -12,3 +12,6 @@ waterlight_test(shallow_tests
         laws/shallow_orders.cpp
         laws/shallow_volume.cpp
     LIBRARIES waterlight::sim)
+
+# A million steps: some seconds.
+waterlight_test(shallow_long_test SOURCES laws/shallow_long.cpp LIBRARIES waterlight::sim)

@@ -22,9 +22,8 @@ TEST(ShallowEnergy, MomentumOfADamBreakComesFromTheWalls) {
         const auto model = make_shallow_water<double>(settings_of(dam, grid, walled));
         const double hl = dam.left_depth_m, hr = dam.right_depth_m;
         const double push_n = 0.5 * density * g * (hl * hl - hr * hr) * grid.height_m();
-        watch(*model, 1, 6, [&](double t) {
-            EXPECT_NEAR(model->totals().momentum_x_kg_m_s, push_n * t, lost * push_n * t);
-        });
+        watch(*model, 1, 6,
+              [&](double t) { EXPECT_NEAR(model->totals().momentum_x_kg_m_s, push_n * t, lost * push_n * t); });
     }
 }
 
@@ -35,8 +34,8 @@ TEST(ShallowEnergy, BoreDissipatesWhatItsJumpLoses) {
     const Grid grid = flume(800, 10).grid;
     const auto model = make_shallow_water<double>(settings_of(dam, grid, walled));
     const double h1 = dam.right_depth_m, h2 = middle.depth_m;
-    const double power_w = density * g * h1 * middle.right_shock_m_s * std::pow(h2 - h1, 3) / (4 * h1 * h2) *
-                           grid.height_m();
+    const double power_w =
+        density * g * h1 * middle.right_shock_m_s * std::pow(h2 - h1, 3) / (4 * h1 * h2) * grid.height_m();
     model->advance(2);
     const double before = energy_j(*model);
     model->advance(4);

@@ -68,7 +68,9 @@ TEST(ShallowFriction, UniformFlowDownASlopeReachesNormalDepth) {
         settings.depth_m = field_of(grid, [&](int, int) { return 0.5 * normal_m; });
         settings.manning = n;
         settings.sides.west = DischargeSide{constant_series(q)};
-        if (fast) settings.sides.west = FlowSide{slope * (length_m - grid.x_m(0)) + 0.7 * normal_m, {q / (0.7 * normal_m), 0}};
+        if (fast)
+            settings.sides.west =
+                FlowSide{slope * (length_m - grid.x_m(0)) + 0.7 * normal_m, {q / (0.7 * normal_m), 0}};
         settings.sides.east = LevelSide{constant_series(slope * (length_m - grid.x_m(grid.nx - 1)) + normal_m)};
         if (fast) settings.sides.east = OpenSide{};
         const auto model = make_shallow_water<double>(settings);

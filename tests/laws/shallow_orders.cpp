@@ -22,16 +22,12 @@ TEST(ShallowOrders, TravellingVortex) {
 
 TEST(ShallowOrders, ThackersPlaneSurfaceAfterThreePeriods) {
     const ThackerPlanar bowl;
-    const auto error = [&](int n) {
-        return error_after(bowl, make_grid(n, n, 4, 4), walled, 0, 3 * bowl.period_s());
-    };
+    const auto error = [&](int n) { return error_after(bowl, make_grid(n, n, 4, 4), walled, 0, 3 * bowl.period_s()); };
     EXPECT_LE(error(64), 4.9e-2);
     EXPECT_LE(error(128), 1.29e-2);
 }
 
-TEST(ShallowOrders, RittersDamBreak) {
-    EXPECT_LE(error_after(ritter(), flume(401, 10).grid, walled, 1, 6), 4.3e-4);
-}
+TEST(ShallowOrders, RittersDamBreak) { EXPECT_LE(error_after(ritter(), flume(401, 10).grid, walled, 1, 6), 4.3e-4); }
 
 TEST(ShallowOrders, StokersMiddleState) {
     const RiemannProblem dam = stoker();
@@ -39,7 +35,8 @@ TEST(ShallowOrders, StokersMiddleState) {
     const Grid grid = flume(800, 10).grid;
     const auto model = make_shallow_water<double>(settings_of(dam, grid, walled));
     model->advance(6);
-    const double near = 5 + 6 * (middle.velocity_m_s - std::sqrt(g * middle.depth_m)), far = 5 + 6 * middle.right_shock_m_s;
+    const double near = 5 + 6 * (middle.velocity_m_s - std::sqrt(g * middle.depth_m)),
+                 far = 5 + 6 * middle.right_shock_m_s;
     int cells = 0;
     for (int i = 0; i < grid.nx; ++i) {
         if (grid.x_m(i) < 0.75 * near + 0.25 * far || grid.x_m(i) > 0.25 * near + 0.75 * far) continue;
@@ -132,7 +129,8 @@ TEST(ShallowOrders, RoundDamBreakStaysSymmetric) {
     model->advance(1.5);
     for (int j = 0; j < n; ++j) {
         for (int i = 0; i < n; ++i) {
-            const ShallowState s = model->state(i, j), mirrored = model->state(n - 1 - i, j), swapped = model->state(j, i);
+            const ShallowState s = model->state(i, j), mirrored = model->state(n - 1 - i, j),
+                               swapped = model->state(j, i);
             ASSERT_NEAR(s.depth_m, mirrored.depth_m, 1e-12);
             ASSERT_NEAR(s.velocity_m_s.x, -mirrored.velocity_m_s.x, 1e-10);
             ASSERT_NEAR(s.depth_m, swapped.depth_m, 1e-12);

@@ -17,7 +17,7 @@ TEST(ShallowRecords, FrontOverDryGroundArrivesWhenRitterSays) {
     watch(*model, 0.01, 3, [](double) {});
     const ShallowRecords& records = *model->records();
     const double front = 2 * std::sqrt(g) - 3 * std::sqrt(g * settings.wet_m);
-    for (double way = 2; way < 14; way += 1) {
+    for (double way = 4; way < 14; way += 1) {
         const int i = static_cast<int>((20 + way) / settings.grid.dx_m);
         EXPECT_NEAR(records.arrival_s(i, 0), (settings.grid.x_m(i) - 20) / front, 0.02 * way / front) << way;
         EXPECT_NEAR(records.max_elevation_m(i, 0), model->state(i, 0).depth_m, 1e-6) << way;
@@ -46,7 +46,7 @@ TEST(ShallowRecords, BoreThatAWallThrowsBackHasItsHeight) {
             const double way = 20 - settings.grid.x_m(i);
             EXPECT_NEAR(records.max_elevation_m(i, 0), datum + middle.depth_m, 0.02 * middle.depth_m);
             EXPECT_NEAR(records.max_speed_m_s(i, 0), 1.5, 0.01);
-            EXPECT_NEAR(records.arrival_s(i, 0), way / middle.right_shock_m_s * -1 * -1, 0.05 * 3);
+            EXPECT_NEAR(records.arrival_s(i, 0), way / middle.right_shock_m_s, 0.05);
         }
     }
 }
@@ -64,7 +64,8 @@ TEST(ShallowRecords, SmallWaveIsTwiceAsHighAtAWall) {
     EXPECT_NEAR(model->records()->max_elevation_m(399, 0), 2 * a, 0.02 * a);
     EXPECT_NEAR(model->records()->max_elevation_m(300, 0), a, 0.02 * a);
     // Half the height of the hump is 0.833 m ahead of its crest.
-    EXPECT_NEAR(model->records()->arrival_s(300, 0), (grid.x_m(300) - 10 - std::sqrt(std::log(2))) / std::sqrt(g), 0.02);
+    EXPECT_NEAR(model->records()->arrival_s(300, 0), (grid.x_m(300) - 10 - std::sqrt(std::log(2))) / std::sqrt(g),
+                0.02);
 }
 
 TEST(ShallowRecords, AreKeptOnlyWhereAskedFor) {

@@ -66,7 +66,9 @@ TEST(ShallowRefusals, FieldsThatAreNotWater) {
 TEST(ShallowRefusals, SidesAndSourcesThatCannotBe) {
     EXPECT_EQ(refusal_after([](auto& s) { s.sides.west = PeriodicSide{}; }),
               "sides: found one periodic side without its opposite; allowed: both or none of an axis");
-    EXPECT_EQ(refusal_after([](auto& s) { s.sides.west = DischargeSide{{{0, 1}, {1, -0.5}}}; }),
+    EXPECT_EQ(refusal_after([](auto& s) {
+                  s.sides.west = DischargeSide{{{0, 1}, {1, -0.5}}};
+              }),
               "discharge of a side: found -0.5; allowed: >= 0 m2/s");
     EXPECT_EQ(refusal_after([](auto& s) { s.sources = {Drop{{0, 0}, -1, 1, 0}}; }), "drop: radius_m must be above 0");
     EXPECT_EQ(refusal_after([](auto& s) {
@@ -77,13 +79,10 @@ TEST(ShallowRefusals, SidesAndSourcesThatCannotBe) {
 }
 
 TEST(ShallowRefusals, SeriesOfSides) {
-    const auto west = [](const ShallowSide& side) {
-        return refusal_after([&](auto& s) { s.sides.west = side; });
-    };
+    const auto west = [](const ShallowSide& side) { return refusal_after([&](auto& s) { s.sides.west = side; }); };
     EXPECT_EQ(west(FlowSide{nan, {0, 0}}), "flow of a side: found nan; allowed: finite numbers");
     EXPECT_EQ(west(FlowSide{0, {nan, 0}}), "flow of a side: found nan; allowed: finite numbers");
-    EXPECT_EQ(west(LevelSide{}),
-              "level of a side: found 0 times and 0 values; allowed: as many of both, at least one");
+    EXPECT_EQ(west(LevelSide{}), "level of a side: found 0 times and 0 values; allowed: as many of both, at least one");
     EXPECT_EQ(west(LevelSide{{{0, 1}, {0}}}),
               "level of a side: found 2 times and 1 values; allowed: as many of both, at least one");
     EXPECT_EQ(west(IncidentSide{{{0, 1}, {0, nan}}}), "incident wave of a side: found nan; allowed: finite numbers");

@@ -73,7 +73,8 @@ TYPED_TEST(ShallowRest, IslandsAndRandomGround) {
 }
 
 TYPED_TEST(ShallowRest, PondsOfOneCellAtLevelsOfTheirOwn) {
-    for (const double datum : {0.0, -20.0, 10000.0}) this->expect_rest(ponds(datum), "ponds at " + std::to_string(datum));
+    for (const double datum : {0.0, -20.0, 10000.0})
+        this->expect_rest(ponds(datum), "ponds at " + std::to_string(datum));
 }
 
 /// Shoals of depth d among pits and cliffs `jump` times as deep and as high.
