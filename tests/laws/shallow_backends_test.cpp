@@ -334,9 +334,6 @@ TEST_F(Backends, WhatIsNotFiniteStops) {
     expect_stop(s, "the time step fell to", "cell (7, 11)");
     s.velocity_x_m_s(7, 11) = 1e38;
     expect_stop(s, "a number is not finite", "cell (7, 11)");
-    ShallowWaterSettings pushed = pool();
-    pushed.sides.south = PistonSide{{{0, 1}, {0, 1e38}}};
-    expect_stop(pushed, "a number is not finite", "cell (");
 }
 
 TEST_F(Backends, BadSettingsAreRefused) {
