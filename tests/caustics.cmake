@@ -6,4 +6,5 @@ waterlight_test(truth_test
     LIBRARIES waterlight::caustics)
 waterlight_test(beams_test
     SOURCES laws/beams_kernel.cpp laws/beams_grid.cpp laws/beams_volume.cpp
+        laws/beams_image.cpp
     LIBRARIES waterlight::caustics)

@@ -126,26 +126,33 @@ struct BeamChord {
     real end;
 };
 
-KERNEL BeamChord beam_chord(SectionCorner c0, SectionCorner c1, SectionCorner c2) {
-    real s0 = c0.across < real(0) ? real(-1) : real(1);
-    real s1 = c1.across < real(0) ? real(-1) : real(1);
-    real s2 = c2.across < real(0) ? real(-1) : real(1);
-    bool alone2 = s0 == s1;
-    bool alone1 = s0 == s2;
-    real h = alone2 ? c2.across : (alone1 ? c1.across : c0.across);
-    real t = alone2 ? c2.time : (alone1 ? c1.time : c0.time);
-    real ha = alone2 || alone1 ? c0.across : c1.across;
-    real ta = alone2 || alone1 ? c0.time : c1.time;
-    real hb = alone2 ? c1.across : c2.across;
-    real tb = alone2 ? c1.time : c2.time;
+KERNEL real nudged(real x) {
+    return abs(x) < real(1e-18) ? real(1e-18) : x;
+}
+
+// `divisor` > 0 is something else that the caller divides by: `density` is divided by it, at the cost of no division.
+KERNEL BeamChord beam_chord(SectionCorner c0, SectionCorner c1, SectionCorner c2, real divisor) {
+    // A corner on the ray counts to one side. One comparison a choice: GCC vectorises those, and not logic.
+    real h0 = nudged(c0.across);
+    real h1 = nudged(c1.across);
+    real h2 = nudged(c2.across);
+    real same01 = h0 * h1;
+    real same02 = h0 * h2;
+    real h = same01 > real(0) ? h2 : (same02 > real(0) ? h1 : h0);
+    real t = same01 > real(0) ? c2.time : (same02 > real(0) ? c1.time : c0.time);
+    real hb = same01 > real(0) ? h1 : h2;
+    real tb = same01 > real(0) ? c1.time : c2.time;
+    real ha = same01 > real(0) ? h0 : (same02 > real(0) ? h0 : h1);
+    real ta = same01 > real(0) ? c0.time : (same02 > real(0) ? c0.time : c1.time);
     real da = ha - h;
     real db = hb - h;
-    bool passes = alone2 && alone1;
-    real scale = -h / (passes ? real(1) : da * db);
+    // da and db have the same sign where the ray meets the triangle.
+    real divided = -h / (max(da * db, real(1e-30)) * divisor);
+    real scale = divided * divisor;
     real a = t + (ta - t) * db * scale;
     real b = t + (tb - t) * da * scale;
     BeamChord chord;
-    chord.density = passes ? real(0) : abs(scale);
+    chord.density = h * ha < real(0) ? abs(divided) : real(0);
     chord.begin = min(a, b);
     chord.end = max(a, b);
     return chord;
@@ -155,4 +162,29 @@ KERNEL BeamChord beam_chord(SectionCorner c0, SectionCorner c1, SectionCorner c2
 // metre of descent), then to the eye. `length` = |r|; the ray enters the water at `near`.
 KERNEL real beam_attenuation(real extinction, real path, real above, real down, real near, real length, real t) {
     return exp(-extinction * (path * (above + down * t) + (t - near) * length));
+}
+
+// The part of a ray, t from `near` to `far`, in a box of water around or before the eye: corners relative to the eye, in
+// (x, y, depth) as r is. far < near where it passes by.
+struct WaterSpan {
+    real near;
+    real far;
+};
+
+KERNEL WaterSpan water_span(real3 r, real3 low, real3 high) {
+    real sx = real(1) / (abs(r.x) < real(1e-12) ? real(1e-12) : r.x);
+    real sy = real(1) / (abs(r.y) < real(1e-12) ? real(1e-12) : r.y);
+    real sz = real(1) / (abs(r.z) < real(1e-12) ? real(1e-12) : r.z);
+    WaterSpan s;
+    s.near = max(max(min(low.x * sx, high.x * sx), min(low.y * sy, high.y * sy)),
+                 max(min(low.z * sz, high.z * sz), real(0)));
+    s.far = min(min(max(low.x * sx, high.x * sx), max(low.y * sy, high.y * sy)), max(low.z * sz, high.z * sz));
+    return s;
+}
+
+// What of a chord lies from `near` to `far`, as a part of it. A chord without length counts whole or not at all.
+KERNEL real part_within(real begin, real end, real near, real far) {
+    real hair = real(1e-6) * (real(1) + abs(begin));
+    real within = min(end + hair, far) - max(begin - hair, near);
+    return clamp(within / (end - begin + real(2) * hair), real(0), real(1));
 }

@@ -1,10 +1,14 @@
 // Phase functions: the part of scattered light that goes into each direction, per steradian; over the sphere they add up
 // to 1. `cosine` is that of the angle between the light before and after.
 
-// Henyey & Greenstein (1941); g is the mean cosine, in (-1, 1).
-KERNEL real henyey_greenstein(real g, real cosine) {
+// Henyey & Greenstein (1941); g is the mean cosine, in (-1, 1). One over their function, and it.
+KERNEL real henyey_greenstein_inverse(real g, real cosine) {
     real x = max(real(1) + g * g - real(2) * g * cosine, real(1e-12));
-    return (real(1) - g * g) * real(0.079577471545947668) / (x * sqrt(x));
+    return x * sqrt(x) * (real(12.566370614359172) / (real(1) - g * g));
+}
+
+KERNEL real henyey_greenstein(real g, real cosine) {
+    return real(1) / henyey_greenstein_inverse(g, cosine);
 }
 
 // Pure water: density fluctuations after Einstein and Smoluchowski, in Morel's form (Mobley 1994, eq. 3.30).

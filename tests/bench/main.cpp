@@ -5,6 +5,7 @@
 
 #include "caustics/floor_vulkan.hpp"
 #include "gpu/error.hpp"
+#include "tests/bench/beams.hpp"
 #include "tests/bench/floor_two_pass.hpp"
 
 namespace {
@@ -26,6 +27,7 @@ void register_vulkan() {
 
 int main(int argc, char** argv) {
     bench::register_floor("cpu", make_floor_cpu);
+    bench::register_beams();
     register_vulkan();
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;

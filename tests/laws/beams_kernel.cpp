@@ -102,7 +102,7 @@ TEST(BeamKernel, AChordThroughAParallelPrismIsExact) {
             if (rate < 0) end = std::min(end, -start / rate);
         }
         const f64::BeamChord chord = f64::beam_chord(corner(edge[0], travel, r, down), corner(edge[1], travel, r, down),
-                                                     corner(edge[2], travel, r, down));
+                                                     corner(edge[2], travel, r, down), 1);
         if (begin >= end) {
             EXPECT_EQ(chord.density, 0);
             ++outside;
@@ -131,7 +131,7 @@ TEST(BeamKernel, AWarpedBeamsChordConvergesToTheTrueOne) {
         const double down = .25;
         const dvec3 r{1, .056, -down};
         const f64::BeamChord chord = f64::beam_chord(corner(edge[0], mean, r, down), corner(edge[1], mean, r, down),
-                                                     corner(edge[2], mean, r, down));
+                                                     corner(edge[2], mean, r, down), 1);
         double begin = 1e9, end = -1e9;
         for (int i = 0; i < 3; ++i) {
             const f64::BeamEdge &a = edge[i], &b = edge[(i + 1) % 3];
