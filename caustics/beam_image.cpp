@@ -29,9 +29,9 @@ void validate(const BeamImageSettings& s, const Beams& beams) {
         throw InputError("camera: the beams were made for another extinction");
 }
 
-/// A beam that the picture shows, and the columns that its outline covers.
-struct ShownBeam {
-    BeamCopy copy;
+/// A cell whose beams the picture shows, and the columns that its outline covers.
+struct ShownCell {
+    CellCopy copy;
     int first_column = 0;
     int last_column = 0;
 };
@@ -47,8 +47,8 @@ struct Copies {
     }
 };
 
-/// Whether the box of a beam comes within range of the camera.
-bool in_range(const std::array<glm::vec3, 6>& corners, float range) {
+/// Whether the box of a cell's beams comes within range of the camera.
+bool in_range(const std::array<glm::vec3, 8>& corners, float range) {
     glm::vec3 low = corners[0], high = corners[0];
     for (const glm::vec3& p : corners) {
         low = glm::min(low, p);
@@ -58,21 +58,21 @@ bool in_range(const std::array<glm::vec3, 6>& corners, float range) {
     return glm::dot(nearest, nearest) <= range * range;
 }
 
-std::vector<ShownBeam> shown_in_row(const BeamImageSettings& s, const Beams& beams, int j) {
+std::vector<ShownCell> shown_in_row(const BeamImageSettings& s, const Beams& beams, int j) {
     const Camera::Rays rays = s.camera.rays();
     const glm::dvec3 eye = s.camera.position_m;
     const Grid& g = beams.domain;
     const Copies along_x(beams.boundary.x, g.x0_m, g.width_m(), eye.x, s.range_m);
     const Copies along_y(beams.boundary.y, g.y0_m, g.height_m(), eye.y, s.range_m);
     const float width = static_cast<float>(s.camera.size.x), height = static_cast<float>(s.camera.size.y);
-    std::vector<ShownBeam> shown;
+    std::vector<ShownCell> shown;
     for (int q = along_y.first; q <= along_y.last; ++q) {
         for (int p = along_x.first; p <= along_x.last; ++p) {
             const glm::vec2 shift{p * g.width_m(), q * g.height_m()};
-            for (int b = 0; b < 2 * beams.nx; ++b) {
-                if (!(beams.flux(b, j) > 0)) continue;
-                const BeamCopy copy{b, j, shift};
-                const std::array<glm::vec3, 6> corners = beam_corners(beams, copy, eye);
+            for (int i = 0; i < beams.nx; ++i) {
+                if (!(beams.flux(2 * i, j) + beams.flux(2 * i + 1, j) > 0)) continue;
+                const CellCopy copy{i, j, shift};
+                const std::array<glm::vec3, 8> corners = beam_corners(beams, copy, eye);
                 if (!in_range(corners, static_cast<float>(s.range_m))) continue;
                 const BeamOutline outline(rays, corners);
                 if (outline.empty() || outline.right() < 0 || outline.left() > width - 1 || outline.top() < 0 ||
@@ -87,21 +87,21 @@ std::vector<ShownBeam> shown_in_row(const BeamImageSettings& s, const Beams& bea
     return shown;
 }
 
-std::vector<ShownBeam> shown_beams(const BeamImageSettings& s, const Beams& beams) {
-    std::vector<std::vector<ShownBeam>> rows(beams.ny);
+std::vector<ShownCell> shown_cells(const BeamImageSettings& s, const Beams& beams) {
+    std::vector<std::vector<ShownCell>> rows(beams.ny);
 #pragma omp parallel for schedule(dynamic, 4)
     for (int j = 0; j < beams.ny; ++j) rows[j] = shown_in_row(s, beams, j);
-    std::vector<ShownBeam> all;
-    for (const std::vector<ShownBeam>& row : rows) all.insert(all.end(), row.begin(), row.end());
+    std::vector<ShownCell> all;
+    for (const std::vector<ShownCell>& row : rows) all.insert(all.end(), row.begin(), row.end());
     return all;
 }
 
-/// The beams of each strip of columns.
-std::vector<std::vector<BeamCopy>> sort_into_strips(const std::vector<ShownBeam>& shown, int strips) {
-    std::vector<std::vector<BeamCopy>> strip(strips);
-    for (const ShownBeam& beam : shown)
-        for (int k = beam.first_column / BeamStrip::columns; k <= beam.last_column / BeamStrip::columns; ++k)
-            strip[k].push_back(beam.copy);
+/// The cells of each strip of columns.
+std::vector<std::vector<CellCopy>> sort_into_strips(const std::vector<ShownCell>& shown, int strips) {
+    std::vector<std::vector<CellCopy>> strip(strips);
+    for (const ShownCell& cell : shown)
+        for (int k = cell.first_column / BeamStrip::columns; k <= cell.last_column / BeamStrip::columns; ++k)
+            strip[k].push_back(cell.copy);
     return strip;
 }
 
@@ -109,8 +109,8 @@ template <class PhaseFunction>
 void draw(const BeamImageSettings& s, const Beams& beams, const PhaseFunction& phase, BeamImage& image) {
     const glm::ivec2 size = s.camera.size;
     const int strips = (size.x + BeamStrip::columns - 1) / BeamStrip::columns;
-    const std::vector<ShownBeam> shown = shown_beams(s, beams);
-    const std::vector<std::vector<BeamCopy>> in_strip = sort_into_strips(shown, strips);
+    const std::vector<ShownCell> shown = shown_cells(s, beams);
+    const std::vector<std::vector<CellCopy>> in_strip = sort_into_strips(shown, strips);
     std::int64_t sections = 0, covered = 0;
 #pragma omp parallel reduction(+ : sections, covered)
     {
@@ -118,11 +118,11 @@ void draw(const BeamImageSettings& s, const Beams& beams, const PhaseFunction& p
 #pragma omp for schedule(dynamic, 1)
         for (int k = 0; k < strips; ++k) {
             strip.begin(k * BeamStrip::columns);
-            for (const BeamCopy& copy : in_strip[k]) sections += strip.add(copy, phase);
+            for (const CellCopy& copy : in_strip[k]) sections += strip.add(copy, phase);
             covered += strip.finish(image.radiance);
         }
     }
-    image.counts = {static_cast<std::int64_t>(shown.size()), covered, sections};
+    image.counts = {2 * static_cast<std::int64_t>(shown.size()), covered, sections};
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ struct BeamImageSettings {
 struct BeamImageCounts {
     std::int64_t beams = 0;           ///< that the picture shows, copies beyond periodic sides included
     std::int64_t covered_pixels = 0;  ///< that see any beam
-    std::int64_t sections = 0;        ///< rays through beams
+    std::int64_t sections = 0;        ///< rays through the outlines of cells of two beams
 };
 
 struct BeamImage {

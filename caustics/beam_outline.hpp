@@ -23,7 +23,7 @@ struct PixelSpan {
 /// sides join points of its edges, which are straight.
 class BeamOutline {
   public:
-    /// Points relative to the camera, at most 6; what is behind the camera is cut off.
+    /// Points relative to the camera, at most 8; what is behind the camera is cut off.
     BeamOutline(const Camera::Rays& rays, std::span<const glm::vec3> points) {
         const glm::vec3 forward(rays.forward);
         const glm::vec3 right(rays.right), up(rays.up), corner(rays.corner);
@@ -33,7 +33,7 @@ class BeamOutline {
             add({glm::dot(away, right) * per_right, glm::dot(away, up) * per_up});
         };
         constexpr float nearest_m = 1e-3F;
-        std::array<float, 6> ahead{};
+        std::array<float, 8> ahead{};
         for (std::size_t i = 0; i < points.size(); ++i) {
             ahead[i] = glm::dot(points[i], forward);
             if (ahead[i] >= nearest_m) project(points[i], ahead[i]);
@@ -60,7 +60,7 @@ class BeamOutline {
     }
 
   private:
-    static constexpr int most = 15;  // six points, or nine cuts and some of them
+    static constexpr int most = 20;  // some of eight points, and the cuts from them to the others
     static constexpr float slack = 0.01F;
 
     void add(glm::vec2 p) { corner_[count_++] = p; }

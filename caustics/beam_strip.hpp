@@ -19,9 +19,9 @@ class BeamStrip {
 
     /// Starts at this column of the picture, dark.
     void begin(int first_column);
-    /// Adds one beam; returns the rays that may meet it.
+    /// Adds the beams of one cell; returns the rays that may meet them.
     template <class PhaseFunction>
-    std::int64_t add(const BeamCopy& copy, const PhaseFunction& phase);
+    std::int64_t add(const CellCopy& copy, const PhaseFunction& phase);
     /// Writes the strip to the picture; returns the pixels that saw a beam.
     std::int64_t finish(Field<float>& radiance) const;
 

@@ -158,6 +158,15 @@ KERNEL BeamChord beam_chord(SectionCorner c0, SectionCorner c1, SectionCorner c2
     return chord;
 }
 
+// The chords of two beams that share a side as one; a chord of density 0 does not count.
+KERNEL BeamChord joined_chord(BeamChord a, BeamChord b) {
+    BeamChord whole;
+    whole.density = a.density + b.density;
+    whole.begin = min(a.density > real(0) ? a.begin : b.begin, b.density > real(0) ? b.begin : a.begin);
+    whole.end = max(a.density > real(0) ? a.end : b.end, b.density > real(0) ? b.end : a.end);
+    return whole;
+}
+
 // What is left of the light at t: from the surface, `above` metres over the eye's depth, on a slanting path (metres per
 // metre of descent), then to the eye. `length` = |r|; the ray enters the water at `near`.
 KERNEL real beam_attenuation(real extinction, real path, real above, real down, real near, real length, real t) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "caustics/beam_point.hpp"
 #include "caustics/beam_volume.hpp"
 #include "caustics/kernels/optics.hpp"
 #include "tests/support/surfaces.hpp"
@@ -133,6 +134,37 @@ struct FrozenSine {
         return std::sqrt(difference / square);
     }
 };
+
+TEST(BeamPoint, AgreesWithTheTruthBeforeAndPastTheFocus) {
+    const FrozenSine sine(512, 512, 6, 1);
+    for (const double depth : {1.0, 2.0, 4.0}) {
+        FloorSettings floor;
+        floor.plan = cover(sine.grid, 1, 1);
+        floor.depth_m = depth;
+        floor.sun = {90, 0, 1};
+        const TruthSurface truth = as_truth(sine.grid, periodic, sine.wave);
+        for (const double x : {.013, .1, .251, .4}) {
+            const PointIrradiance found = irradiance_at(sine.beams, {x, .031, -depth});
+            EXPECT_NEAR(found.plane_w_m2 / truth_at(floor, truth, {x, .031}, .002), 1, 0.02) << x << " " << depth;
+            EXPECT_GE(found.scalar_w_m2, found.plane_w_m2);
+            EXPECT_EQ(found.beams % 2, 1) << "one ray, and two more inside each pair of folds";
+        }
+    }
+    EXPECT_EQ(irradiance_at(sine.beams, {.25, .03, .0}).beams, 0) << "in the air over a trough";
+}
+
+TEST(BeamPoint, OnTheAxisTheAreaVanishesAtTheFocus) {
+    const FrozenSine sine(2048, 2048, 4, 1);
+    double brightest = 0, at = 0;
+    for (double depth = 2.3; depth < 2.7; depth += .001) {
+        // Off the axis it would be the folds, which leave it with the power 3/2 of the depth past the focus.
+        const double e = irradiance_at(sine.beams, {1e-6, .031, -depth}).plane_w_m2;
+        if (e > brightest) at = depth;
+        brightest = std::max(brightest, e);
+    }
+    EXPECT_NEAR(at, 2.523, 2e-3);
+    EXPECT_GT(brightest, 100);
+}
 
 TEST(BeamVolume, FrozenSineFocusesWhereTheTextbookSays) {
     // f - a with f = 1 / ((1 - 1/n) a k2).
