@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <regex>
 
 #include "export/exr.hpp"
 #include "export/frames.hpp"
 #include "export/grey16.hpp"
 #include "export/picture.hpp"
+#include "export/runup.hpp"
 #include "scenarios/resolve.hpp"
 #include "sim/error.hpp"
 
@@ -32,6 +35,19 @@ Field<float> depth_over(const Field<float>& elevation, double still_depth_m) {
     Field<float> depth = elevation.clone();
     for (float& d : depth.values()) d += static_cast<float>(still_depth_m);
     return depth;
+}
+
+bool wants_extremes(const OutputSection& settings) {
+    return settings.shows("max_elevation") || settings.shows("max_speed") || settings.shows("arrival_time");
+}
+
+/// The elevation where the water is deeper than wet_m, NaN elsewhere.
+Field<float> wet_part(const Surface& surface, double wet_m) {
+    Field<float> shown = surface.elevation.clone();
+    const auto least = static_cast<float>(wet_m);
+    for (std::size_t n = 0; n < shown.size(); ++n)
+        if (!(surface.depth->data()[n] > least)) shown.data()[n] = std::numeric_limits<float>::quiet_NaN();
+    return shown;
 }
 
 Surface copy_of(const Surface& surface, const OutputSection& settings, double still_depth_m) {
@@ -65,7 +81,7 @@ fs::path made_folder(fs::path folder) {
 /// Names that only a run of ours gives to files.
 constexpr const char* our_names =
     "(surface|floor)\\.pvd|(surface/surface|floor/floor)_[0-9]{6,}\\.vti|"
-    "images/(elevation|irradiance)(16)?_[0-9]{6,}\\.(png|exr)|probes\\.csv";
+    "images/(elevation|irradiance)(16)?_[0-9]{6,}\\.(png|exr)|probes\\.csv|extremes\\.vti|runup\\.csv";
 
 void remove_stale(const fs::path& folder, const std::set<fs::path>& written) {
     const std::regex ours(our_names);
@@ -88,7 +104,8 @@ void remove_stale(const fs::path& folder, const std::set<fs::path>& written) {
 }  // namespace
 
 std::size_t FrameFiles::bytes() const {
-    std::size_t count = surface.elevation.size() + surface.slope_x.size() + surface.slope_y.size() + irradiance.size();
+    std::size_t count =
+        surface.elevation.size() + surface.slope_x.size() + surface.slope_y.size() + irradiance.size() + shown.size();
     for (const auto* field : {&surface.velocity_x, &surface.velocity_y, &surface.depth})
         if (*field) count += (*field)->size();
     return count * sizeof(float);
@@ -98,6 +115,7 @@ Outputs::Outputs(fs::path folder, const Scenario& scenario, double still_irradia
     : folder_(made_folder(std::move(folder))),
       settings_(scenario.output),
       depth_m_(scenario.domain.depth_m),
+      wet_m_(scenario.waves.wet_m.value_or(ShallowWaterSettings{}.wet_m)),
       irradiance_max_(settings_.irradiance_max_w_m2.value_or(still_irradiance > 0 ? 3 * still_irradiance : 1)),
       surface_series_(folder_, "surface", settings_.compression),
       floor_series_(folder_, "floor", settings_.compression) {
@@ -112,9 +130,29 @@ void Outputs::push(const Surface& surface, const FloorMap* map, std::vector<doub
     FrameFiles frame;
     frame.surface = copy_of(surface, settings_, depth_m_);
     if (map) frame.irradiance = map->irradiance.clone();
+    const bool pictures = settings_.wants("png") || settings_.wants("png16");
+    if (pictures && surface.depth) frame.shown = wet_part(surface, wet_m_);
     frame.probes = std::move(probes);
     const std::size_t bytes = frame.bytes();
     queue_.push(bytes, [this, frame = std::move(frame)] { write(frame); });
+}
+
+void Outputs::push_row(double time_s, std::vector<double> probes) {
+    const std::size_t bytes = probes.size() * sizeof(double);
+    queue_.push(bytes, [this, time_s, probes = std::move(probes)] { probes_->append(time_s, probes); });
+}
+
+void Outputs::push_end(const Grid& grid, double time_s, const Field<float>& bed_m, const ShallowRecords& records,
+                       std::vector<RunupLine> lines) {
+    has_end_ = true;
+    queue_.push(0, [&, this, time_s, lines = std::move(lines)] {
+        write_runup(folder_ / "runup.csv", lines);
+        written_.insert(folder_ / "runup.csv");
+        const VtiFrame extremes = extremes_frame(grid, time_s, bed_m, records, settings_.fields);
+        if (!wants_extremes(settings_) || !settings_.wants("vti")) return;
+        write_vti(folder_ / "extremes.vti", extremes, settings_.compression);
+        written_.insert(folder_ / "extremes.vti");
+    });
 }
 
 void Outputs::write(const FrameFiles& frame) {
@@ -147,12 +185,13 @@ void Outputs::write_pictures(const FrameFiles& frame) {
     const Grid& grid = frame.surface.grid;
     const double time_s = frame.surface.time_s;
     const PictureSettings elevation{.map = ColourMap::cool_warm,
-                                    .range = elevation_range(frame.surface.elevation),
+                                    .range = elevation_range(frame),
                                     .quantity = "Elevation of the surface",
                                     .unit = "m",
                                     .time_s = time_s,
-                                    .pitch_m = {grid.dx_m, grid.dy_m}};
-    write_picture(image("elevation", "png"), frame.surface.elevation, elevation);
+                                    .pitch_m = {grid.dx_m, grid.dy_m},
+                                    .missing = ground_colour};
+    write_picture(image("elevation", "png"), frame.shown.empty() ? frame.surface.elevation : frame.shown, elevation);
     if (!plan_) return;
     const PictureSettings irradiance{.map = ColourMap::viridis,
                                      .range = {0, irradiance_max_},
@@ -163,9 +202,10 @@ void Outputs::write_pictures(const FrameFiles& frame) {
     write_picture(image("irradiance", "png"), frame.irradiance, irradiance);
 }
 
-ValueRange Outputs::elevation_range(const Field<float>& elevation) {
+ValueRange Outputs::elevation_range(const FrameFiles& frame) {
+    const Field<float>& elevation = frame.shown.empty() ? frame.surface.elevation : frame.shown;
     if (settings_.elevation_max_m) return {-*settings_.elevation_max_m, *settings_.elevation_max_m};
-    const bool flat = std::ranges::all_of(elevation.values(), [](float e) { return e == 0; });
+    const bool flat = std::ranges::all_of(elevation.values(), [](float e) { return e == 0 || std::isnan(e); });
     const ValueRange now = symmetric_range(elevation);
     if (flat && !elevation_range_) return now;
     if (!elevation_range_ || now.high > elevation_range_->high) elevation_range_ = now;
@@ -173,8 +213,7 @@ ValueRange Outputs::elevation_range(const Field<float>& elevation) {
 }
 
 void Outputs::write_greys(const FrameFiles& frame) {
-    write_grey16(image("elevation16", "png"), frame.surface.elevation, elevation_range(frame.surface.elevation),
-                 "elevation", "m");
+    write_grey16(image("elevation16", "png"), frame.surface.elevation, elevation_range(frame), "elevation", "m");
     if (plan_) write_grey16(image("irradiance16", "png"), frame.irradiance, {0, irradiance_max_}, "irradiance", "W/m2");
 }
 
@@ -202,6 +241,9 @@ std::vector<std::string> Outputs::guide() const {
         if (plan_) add(folder_ / "floor.pvd", "floor irradiance in time: ParaView, or python3-vtk9");
     }
     if (settings_.wants("exr")) add(folder_ / "images" / "*.exr", "full precision: any OpenEXR viewer");
+    if (has_end_) add(folder_ / "runup.csv", "how far the water came: any spreadsheet");
+    if (has_end_ && settings_.wants("vti") && wants_extremes(settings_))
+        add(folder_ / "extremes.vti", "highest water, speed, arrival: ParaView, or python3-vtk9");
     if (probes_) add(folder_ / "probes.csv", "gauges: any spreadsheet");
     add(folder_ / "report.json", "numbers, checks, times: any text editor");
     return lines;

@@ -14,6 +14,8 @@
 #include "export/range.hpp"
 #include "export/series.hpp"
 #include "scenarios/scenario.hpp"
+#include "sim/runup.hpp"
+#include "sim/shallow_water.hpp"
 #include "sim/surface.hpp"
 
 namespace waterlight {
@@ -22,6 +24,7 @@ namespace waterlight {
 struct FrameFiles {
     Surface surface;
     Field<float> irradiance;  ///< empty without a floor map
+    Field<float> shown;       ///< elevation as pictures show it: NaN on dry ground; empty where there is none
     std::vector<double> probes;
 
     std::size_t bytes() const;
@@ -35,6 +38,12 @@ class Outputs {
 
     /// Copies what it needs and returns; waits only while the queue is full.
     void push(const Surface& surface, const FloorMap* map, std::vector<double> probes);
+    /// Between frames: a row of probes.csv.
+    void push_row(double time_s, std::vector<double> probes);
+    /// At the end: how far the water came, and extremes.vti where the scenario asks for it. Borrows the fields until
+    /// finish().
+    void push_end(const Grid& grid, double time_s, const Field<float>& bed_m, const ShallowRecords& records,
+                  std::vector<RunupLine> lines);
     /// Waits until all is written, then removes what an earlier, longer run left under names of ours.
     void finish();
 
@@ -49,18 +58,20 @@ class Outputs {
     void write_greys(const FrameFiles& frame);
     void write_exrs(const FrameFiles& frame);
     /// Of the pictures: as the scenario says, else the largest so far, so that colours do not flicker.
-    ValueRange elevation_range(const Field<float>& elevation);
+    ValueRange elevation_range(const FrameFiles& frame);
     std::filesystem::path image(const std::string& name, const char* extension);
 
     std::filesystem::path folder_;
     OutputSection settings_;
     std::optional<FloorPlan> plan_;
     double depth_m_;
+    double wet_m_;
     double irradiance_max_;
     std::optional<ValueRange> elevation_range_;
     VtiSeries surface_series_;
     VtiSeries floor_series_;
     std::optional<ProbeTable> probes_;
+    bool has_end_ = false;
     int frame_ = 0;
     std::set<std::filesystem::path> written_;
     ExportQueue queue_;  ///< last: its thread uses all of the above

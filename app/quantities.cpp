@@ -40,6 +40,17 @@ std::map<std::string, double> quantities_of(const RunRecord& r) {
         q["sea.shorter_fraction"] = r.sea->coverage.shorter_fraction;
         q["sea.height_error"] = carried > 0 ? std::abs(4 * std::sqrt(r.waves.first.variance_m2) / carried - 1) : none;
     }
+    if (r.shallow) {
+        const ShallowRecord& s = *r.shallow;
+        q["waves.volume_drift"] = s.volume_drift;
+        q["waves.momentum_x"] = s.last.momentum_x_kg_m_s;
+        q["waves.momentum_y"] = s.last.momentum_y_kg_m_s;
+        q["waves.energy"] = s.last.potential_j + s.last.kinetic_j;
+        q["waves.inundated_area"] = s.inundated_m2;
+        q["waves.max_runup"] = s.highest ? s.highest->ground_m : none;
+        q["waves.min_depth"] = s.min_depth_m;
+        q["waves.exact_l1"] = s.exact_l1;
+    }
     if (r.floor) {
         q["floor.mean_irradiance"] = r.floor->last.mean;
         q["floor.min_irradiance"] = r.floor->last.min;
@@ -55,6 +66,7 @@ std::map<std::string, double> quantities_of(const RunRecord& r) {
         q[prefix + "min_elevation"] = probe.min_elevation;
         q[prefix + "max_elevation"] = probe.max_elevation;
         q[prefix + "rms_elevation"] = probe.late_frames > 0 ? std::sqrt(probe.late_squares / probe.late_frames) : none;
+        if (r.shallow) q[prefix + "arrival_time"] = probe.arrival_s;
         q[prefix + "irradiance"] = probe.irradiance;
         q[prefix + "max_irradiance"] = probe.max_irradiance;
     }

@@ -11,7 +11,29 @@
 
 namespace waterlight {
 
-double elevation_at(const Surface& surface, glm::dvec2 at_m) { return interpolate(surface).at(at_m).elevation_m; }
+namespace {
+
+/// The cell that holds x, of n cells of width d from x0.
+int cell_of(double x, double x0, double d, int n) { return std::clamp(static_cast<int>((x - x0) / d), 0, n - 1); }
+
+/// Whether ground is dry among the cells about a place.
+bool is_by_dry_ground(const Surface& surface, int i, int j) {
+    if (!surface.depth) return false;
+    const Grid& grid = surface.grid;
+    for (int n = std::max(j - 1, 0); n <= std::min(j + 1, grid.ny - 1); ++n)
+        for (int m = std::max(i - 1, 0); m <= std::min(i + 1, grid.nx - 1); ++m)
+            if ((*surface.depth)(m, n) <= 0) return true;
+    return false;
+}
+
+}  // namespace
+
+double elevation_at(const Surface& surface, glm::dvec2 at_m) {
+    const Grid& grid = surface.grid;
+    const int i = cell_of(at_m.x, grid.x0_m, grid.dx_m, grid.nx), j = cell_of(at_m.y, grid.y0_m, grid.dy_m, grid.ny);
+    if (is_by_dry_ground(surface, i, j)) return surface.elevation(i, j);
+    return interpolate(surface).at(at_m).elevation_m;
+}
 
 void require_finite(const Surface& surface) {
     const int nx = surface.grid.nx;

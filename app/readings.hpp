@@ -9,7 +9,7 @@
 namespace waterlight {
 
 /// Elevation (m) at a place in the domain, of the smooth surface through the cells (interpolate()): linear
-/// interpolation would cut crests by a twelfth at eight cells a wave.
+/// interpolation would cut crests by a twelfth at eight cells a wave. Beside dry ground, that of the cell itself.
 double elevation_at(const Surface& surface, glm::dvec2 at_m);
 
 /// Throws WorldError naming time and cell where elevation or slope is not a finite number.

@@ -22,8 +22,7 @@ struct Silence {
 };
 
 double silent_from(const Scenario& scenario) {
-    const Boundary boundary = resolve_boundary(scenario);
-    if (boundary.x == Side::absorbing || boundary.y == Side::absorbing) return infinity;
+    if (!is_closed(scenario) || scenario.waves.manning.value_or(0) > 0) return infinity;
     double from = -infinity;
     for (const Source& source : scenario.waves.sources) from = std::max(from, std::visit(Silence{}, source));
     return from;
@@ -95,9 +94,11 @@ std::vector<double> Recorder::add_probes(const Surface& surface, const std::func
             ++p.late_frames;
         }
         columns.push_back(p.elevation);
-        p.irradiance = irradiance ? irradiance(probe.at_m) : none;
-        p.max_irradiance = is_first ? p.irradiance : std::max(p.max_irradiance, p.irradiance);
-        if (irradiance) columns.push_back(p.irradiance);
+        const double light = irradiance ? irradiance(probe.at_m) : none;
+        if (scenario_.floor) columns.push_back(light);
+        if (!irradiance && !is_first) continue;
+        p.irradiance = light;
+        p.max_irradiance = is_first ? light : std::max(p.max_irradiance, light);
     }
     return columns;
 }

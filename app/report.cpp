@@ -49,6 +49,27 @@ Json floor_json(const FloorRecord& floor, FloorMethod method) {
     return json;
 }
 
+Json totals_json(const ShallowTotals& totals) {
+    return {{"volume_m3", totals.volume_m3},
+            {"momentum_x_kg_m_s", totals.momentum_x_kg_m_s},
+            {"momentum_y_kg_m_s", totals.momentum_y_kg_m_s},
+            {"potential_j", totals.potential_j},
+            {"kinetic_j", totals.kinetic_j},
+            {"wet_m2", totals.inundated_m2}};
+}
+
+Json shallow_json(const ShallowRecord& record) {
+    Json json{{"start", totals_json(record.first)},
+              {"end", totals_json(record.last)},
+              {"volume_drift", record.volume_drift},
+              {"min_depth_m", record.min_depth_m},
+              {"inundated_m2", record.inundated_m2}};
+    if (record.highest)
+        json["highest_runup"] = {{"ground_m", record.highest->ground_m},
+                                 {"at_m", {record.highest->at_m.x, record.highest->at_m.y}}};
+    return json;
+}
+
 Json wall_json(const StageTimes& wall) {
     return {{"waves", wall.waves},
             {"caustics.floor", wall.floor},
@@ -101,6 +122,7 @@ nlohmann::ordered_json report_json(const Scenario& scenario, const BackendDecisi
                           {"last_frame", ledger_json(record.floor->last_ledger, 1)}};
         json["floor"] = floor_json(*record.floor, scenario.floor->method);
     }
+    if (record.shallow) json["shallow_water"] = shallow_json(*record.shallow);
     json["mass_drift_m"] = record.waves.mass_drift_m;
     json["energy_drift"] = record.waves.energy_drift;
     json["quantities"] = quantities_of(record);

@@ -1,6 +1,7 @@
 // What a run says about itself: report.json, and the numbers that checks judge.
 #pragma once
 
+#include <limits>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -9,6 +10,8 @@
 
 #include "app/floor_stage.hpp"
 #include "app/readings.hpp"
+#include "sim/runup.hpp"
+#include "sim/shallow_water.hpp"
 #include "sim/wave_model.hpp"
 
 namespace waterlight {
@@ -26,9 +29,10 @@ struct StageTimes {
 /// One probe over the run.
 struct ProbeRecord {
     double elevation = 0, min_elevation = 0, max_elevation = 0;  ///< m
-    double late_squares = 0;  ///< sum of elevation squared over the frames of the second half, m2
+    double late_squares = 0;  ///< sum of elevation squared over the rows of the second half, m2
     int late_frames = 0;
     double irradiance = 0, max_irradiance = 0;
+    double arrival_s = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// The floor map over the run.
@@ -49,6 +53,16 @@ struct WaveRecord {
     WaveDiagnostics first, last;
     double mass_drift_m = 0;
     double energy_drift = 0;  ///< NaN where energy comes in or goes out
+};
+
+/// The water of the model shallow-water over the run.
+struct ShallowRecord {
+    ShallowTotals first, last;
+    double volume_drift = 0;  ///< relative; NaN where water comes in or goes out
+    double min_depth_m = std::numeric_limits<double>::infinity();
+    double inundated_m2 = 0;  ///< of ground that was dry at the start
+    std::optional<RunupPoint> highest;
+    double exact_l1 = std::numeric_limits<double>::quiet_NaN();  ///< relative, of the depth
 };
 
 struct SeaRecord {
@@ -73,6 +87,7 @@ struct RunRecord {
     WaveRecord waves;
     std::optional<FloorRecord> floor;
     std::optional<SeaRecord> sea;
+    std::optional<ShallowRecord> shallow;
     std::map<std::string, ProbeRecord> probes;
 };
 

@@ -2,15 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/readings.hpp"
 #include "app/recorder.hpp"
+#include "app/shallow_watch.hpp"
 #include "caustics/kernels/optics.hpp"
 #include "export/report.hpp"
 #include "scenarios/build.hpp"
@@ -40,15 +43,40 @@ double still_irradiance(const Scenario& s) {
     return s.light.irradiance_w_m2 * r.incident * r.transmittance * remaining;
 }
 
-/// Times of the frames after the first: every_s apart, the last at duration_s.
-std::vector<double> frame_times(const Scenario& s) {
-    constexpr double slack = 1e-9;  // of a frame: a duration that is a multiple but for rounding
-    const double every = s.output.every_s, duration = s.waves.duration_s;
+constexpr double slack = 1e-9;  // of an interval: a duration that is a multiple but for rounding
+
+/// Times after the start: `every` apart, the last at the end.
+std::vector<double> times_of(double every, double duration) {
     const int whole = static_cast<int>(std::floor(duration / every + slack));
     std::vector<double> times;
     for (int i = 1; i <= whole; ++i) times.push_back(i * every);
     if (duration - whole * every > slack * every) times.push_back(duration);
     return times;
+}
+
+/// A time at which the run stops to look: a frame, or the probes alone.
+struct Moment {
+    double time_s = 0;
+    bool is_frame = true;
+};
+
+/// After the start, in order; frames every_s apart, the last at duration_s.
+std::vector<Moment> moments_of(const Scenario& s) {
+    const double duration = s.waves.duration_s, every = s.output.probe_every_s.value_or(s.output.every_s);
+    std::vector<Moment> moments;
+    for (const double time : times_of(s.output.every_s, duration)) moments.push_back({time, true});
+    if (!s.output.probe_every_s || s.probes.empty()) return moments;
+    std::vector<Moment> rows;
+    std::size_t frame = 0;
+    for (const double time : times_of(every, duration)) {
+        while (frame < moments.size() && moments[frame].time_s < time - slack * every) ++frame;
+        const bool coincides = frame < moments.size() && moments[frame].time_s <= time + slack * every;
+        if (!coincides) rows.push_back({time, false});
+    }
+    std::vector<Moment> all;
+    std::merge(rows.begin(), rows.end(), moments.begin(), moments.end(), std::back_inserter(all),
+               [](const Moment& a, const Moment& b) { return a.time_s < b.time_s; });
+    return all;
 }
 
 /// What a part of the program refuses, with the place of the section that asked for it.
@@ -69,31 +97,38 @@ class Run {
           out_(std::move(out)),
           scenario_(scenario),
           backend_(choose_backend(options.device, scenario)),
-          waves_(for_section(scenario, "waves", [&] { return build_model(scenario); })),
+          waves_(for_section(scenario, "waves", [&] { return build_model(scenario, backend_.context); })),
           floor_(scenario.floor ? make_floor_stage(scenario, waves_, backend_) : nullptr),
           recorder_(scenario) {}
 
     bool go() {
         const Clock::time_point start = Clock::now();
-        const std::vector<double> times = frame_times(scenario_);
+        const std::vector<Moment> moments = moments_of(scenario_);
         // The first frame is computed before a file is written: what is wrong with the scenario shows by then.
         for_section(scenario_, "caustics.floor", [this] { compute(); });
         fs::create_directories(out_);
         fs::remove(out_ / "report.json");
+        if (waves_.shallow) shallow_.emplace(scenario_, *waves_.shallow, *surface_);
         Outputs outputs(out_, scenario_, still_irradiance(scenario_));
         {
-            Progress progress(stderr, static_cast<int>(times.size()) + 1, options_.quiet);
-            const int frames = static_cast<int>(times.size()) + 1;
+            const auto is_frame = [](const Moment& moment) { return moment.is_frame; };
+            const int frames = 1 + static_cast<int>(std::count_if(moments.begin(), moments.end(), is_frame));
+            Progress progress(stderr, frames, options_.quiet);
             watch_every_ = (frames + watched_frames - 1) / watched_frames;
             record(0, frames == 1, outputs);
             double now = 0;
-            for (const double time : times) {
-                timed(wall().waves, [&] { waves_.model->advance(time - now); });
-                now = time;
+            for (const Moment& moment : moments) {
+                timed(wall().waves, [&] { waves_.model->advance(moment.time_s - now); });
+                now = moment.time_s;
+                if (!moment.is_frame) {
+                    record_row(now, outputs);
+                    continue;
+                }
                 compute_further(now);
-                record(now, time == times.back(), outputs);
+                record(now, &moment == &moments.back(), outputs);
                 progress.show(recorder_.record().frames);
             }
+            end(now, outputs);
             outputs.finish();
         }
         wall().export_busy = outputs.busy_s();
@@ -106,9 +141,13 @@ class Run {
   private:
     StageTimes& wall() { return recorder_.record().wall; }
 
-    void compute() {
+    void look() {
         timed(wall().waves, [&] { surface_ = &waves_.model->surface(); });
         timed(wall().diagnostics, [&] { require_finite(*surface_); });
+    }
+
+    void compute() {
+        look();
         if (floor_) timed(wall().floor, [&] { floor_->compute(*surface_, map_); });
     }
 
@@ -126,6 +165,8 @@ class Run {
         timed(wall().diagnostics, [&] {
             const bool watched = last || recorder_.record().frames % watch_every_ == 0;
             if (watched) recorder_.add_waves(time_s, waves_.model->diagnostics());
+            if (shallow_) shallow_->add_frame(*surface_);
+            if (shallow_ && watched) shallow_->add_totals();
             recorder_.add_frame(time_s);
             std::function<double(glm::dvec2)> irradiance;
             if (floor_) {
@@ -136,6 +177,19 @@ class Run {
             probes = recorder_.add_probes(*surface_, irradiance);
         });
         outputs.push(*surface_, floor_ ? &map_ : nullptr, std::move(probes));
+    }
+
+    void record_row(double time_s, Outputs& outputs) {
+        look();
+        std::vector<double> probes;
+        timed(wall().diagnostics, [&] { probes = recorder_.add_probes(*surface_, {}); });
+        outputs.push_row(time_s, std::move(probes));
+    }
+
+    void end(double time_s, Outputs& outputs) {
+        if (!shallow_) return;
+        timed(wall().diagnostics, [&] { shallow_->finish(*surface_, recorder_.record()); });
+        outputs.push_end(surface_->grid, time_s, shallow_->bed_m(), shallow_->records(), shallow_->lines());
     }
 
     void reject_validation_messages() const {
@@ -187,6 +241,7 @@ class Run {
     BuiltModel waves_;
     std::unique_ptr<FloorStage> floor_;
     Recorder recorder_;
+    std::optional<ShallowWatch> shallow_;
     const Surface* surface_ = nullptr;
     FloorMap map_;
     int watch_every_ = 1;

@@ -8,7 +8,6 @@ namespace waterlight {
 namespace {
 
 constexpr Rgb ink_colour{38, 38, 38};
-constexpr Rgb missing_colour{255, 0, 200};
 
 std::uint8_t towards_ink(std::uint8_t ink, int step, int steps) {
     return static_cast<std::uint8_t>(255 + (ink - 255) * step / steps);
@@ -16,12 +15,12 @@ std::uint8_t towards_ink(std::uint8_t ink, int step, int steps) {
 
 }  // namespace
 
-Canvas::Canvas(int width, int height, ColourMap map)
+Canvas::Canvas(int width, int height, ColourMap map, Rgb missing)
     : image_{width, height, {}, std::vector<std::uint8_t>(static_cast<std::size_t>(width) * height, palette::paper)} {
     for (int i = 0; i < palette::map_steps; ++i) {
         image_.palette[i] = colour(map, static_cast<double>(i) / (palette::map_steps - 1));
     }
-    image_.palette[palette::missing] = missing_colour;
+    image_.palette[palette::missing] = missing;
     constexpr int steps = palette::ink - palette::paper;
     for (int i = 0; i <= steps; ++i) {
         image_.palette[palette::paper + i] = {towards_ink(ink_colour.r, i, steps), towards_ink(ink_colour.g, i, steps),

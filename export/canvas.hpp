@@ -28,8 +28,8 @@ struct Rectangle {
 
 class Canvas {
   public:
-    /// White paper.
-    Canvas(int width, int height, ColourMap map);
+    /// White paper. A missing value has the colour `missing`.
+    Canvas(int width, int height, ColourMap map, Rgb missing);
 
     /// All these clip at the edges of the canvas.
     void fill(Rectangle area, std::uint8_t colour);

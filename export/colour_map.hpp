@@ -8,6 +8,9 @@ namespace waterlight {
 /// viridis: dark to bright, for quantities that start at zero. cool_warm: blue, grey, red, for quantities about zero.
 enum class ColourMap { viridis, cool_warm };
 
+/// Of dry ground beside the colours of water: told apart from every colour of both maps.
+inline constexpr Rgb ground_colour{151, 128, 98};
+
 /// The colour at `position` in [0, 1], clamped.
 Rgb colour(ColourMap map, double position);
 

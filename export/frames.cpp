@@ -1,16 +1,25 @@
 #include "export/frames.hpp"
 
+#include <algorithm>
 #include <cassert>
 
 namespace waterlight {
 
-VtiFrame surface_frame(const Surface& surface) {
-    const Grid& grid = surface.grid;
+namespace {
+
+VtiFrame frame_of(const Grid& grid, double time_s) {
     VtiFrame frame;
     frame.cells = {grid.nx, grid.ny, 0};
     frame.origin_m = {grid.x0_m, grid.y0_m, 0};
     frame.pitch_m = {grid.dx_m, grid.dy_m, 1};
-    frame.time_s = surface.time_s;
+    frame.time_s = time_s;
+    return frame;
+}
+
+}  // namespace
+
+VtiFrame surface_frame(const Surface& surface) {
+    VtiFrame frame = frame_of(surface.grid, surface.time_s);
     frame.arrays.push_back({"elevation", {surface.elevation.values()}});
     if (surface.velocity_x && surface.velocity_y) {
         frame.arrays.push_back({"velocity", {surface.velocity_x->values(), surface.velocity_y->values(), {}}});
@@ -28,6 +37,19 @@ VtiFrame floor_frame(const FloorPlan& plan, double depth_m, double time_s, const
     frame.angle_deg = plan.angle_deg;
     frame.time_s = time_s;
     frame.arrays.push_back({"irradiance", {irradiance.values()}});
+    return frame;
+}
+
+VtiFrame extremes_frame(const Grid& grid, double time_s, const Field<float>& bed_m, const ShallowRecords& records,
+                        const std::vector<std::string>& wanted) {
+    VtiFrame frame = frame_of(grid, time_s);
+    frame.arrays.push_back({"bed", {bed_m.values()}});
+    const std::pair<const char*, const Field<float>*> fields[] = {{"max_elevation", &records.max_elevation_m},
+                                                                  {"max_speed", &records.max_speed_m_s},
+                                                                  {"arrival_time", &records.arrival_s}};
+    for (const auto& [name, field] : fields)
+        if (std::find(wanted.begin(), wanted.end(), name) != wanted.end())
+            frame.arrays.push_back({name, {field->values()}});
     return frame;
 }
 

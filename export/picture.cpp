@@ -96,13 +96,13 @@ IndexedImage draw_picture(const Field<float>& field, const PictureSettings& sett
     }
     const Size size = picture_size(field, settings.pitch_m);
     if (!settings.legend) {
-        Canvas canvas(size.width, size.height, settings.map);
+        Canvas canvas(size.width, size.height, settings.map, settings.missing);
         enlarge(steps, field, canvas, {0, 0, size.width, size.height});
         return canvas.take();
     }
     const double metres_per_pixel = size.to_scale ? field.nx() * settings.pitch_m.x / size.width : 0;
     const Legend legend(settings, size.width, size.height, metres_per_pixel, painter.clipped());
-    Canvas canvas(legend.canvas_width(), legend.canvas_height(), settings.map);
+    Canvas canvas(legend.canvas_width(), legend.canvas_height(), settings.map, settings.missing);
     legend.draw(canvas);
     enlarge(steps, field, canvas, legend.picture());
     return canvas.take();

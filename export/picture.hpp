@@ -21,10 +21,11 @@ struct PictureSettings {
     std::optional<double> time_s;
     glm::dvec2 pitch_m{1, 1};  ///< size of a cell, > 0
     bool legend = true;        ///< false: the colours only
+    Rgb missing{255, 0, 200};  ///< colour of NaN
 };
 
 /// x to the right, y up, true to scale up to a domain of 8 : 1. Each cell becomes one or more whole pixels where cells
-/// are square; a small field is enlarged to at least 480 pixels on its longer side. NaN is magenta.
+/// are square; a small field is enlarged to at least 480 pixels on its longer side.
 IndexedImage draw_picture(const Field<float>& field, const PictureSettings& settings);
 
 /// draw_picture into a PNG, whole or not at all. Throws WorldError. One thread at a time (see render_text).

@@ -1,5 +1,6 @@
 #include "scenarios/build.hpp"
 
+#include "scenarios/build_shallow.hpp"
 #include "scenarios/resolve.hpp"
 #include "sim/airy.hpp"
 #include "sim/linear.hpp"
@@ -58,13 +59,15 @@ BuiltModel built(std::unique_ptr<Model> model, const Model* BuiltModel::*own) {
 
 }  // namespace
 
-BuiltModel build_model(const Scenario& scenario) {
+BuiltModel build_model(const Scenario& scenario, const std::shared_ptr<gpu::Context>& /*context*/) {
     switch (resolve_model(scenario).model) {
         case ModelChoice::linear: {
             BuiltModel result;
             result.model = make_linear<float>(linear_settings(scenario));
             return result;
         }
+        case ModelChoice::shallow_water:
+            return built(make_shallow_water<float>(shallow_settings(scenario)), &BuiltModel::shallow);
         case ModelChoice::prescribed:
             return built(make_prescribed(prescribed_settings(scenario)), &BuiltModel::prescribed);
         default:

@@ -6,19 +6,26 @@
 
 #include "scenarios/scenario.hpp"
 #include "sim/airy.hpp"
+#include "sim/shallow_water.hpp"
 #include "sim/wave_model.hpp"
 
 namespace waterlight {
+
+namespace gpu {
+class Context;
+}
 
 /// A wave model in its initial state, and the parts of its own interface that a report asks for.
 struct BuiltModel {
     std::unique_ptr<WaveModel> model;
     const AiryModel* airy = nullptr;              ///< the same, where it is one
     const PrescribedModel* prescribed = nullptr;  ///< the same, where it is one
+    const ShallowWaterModel* shallow = nullptr;   ///< the same, where it is one
     std::string sea;                              ///< what a spectrum or a buoy says about itself
 };
 
-/// Throws InputError where a data file cannot be used.
-BuiltModel build_model(const Scenario& scenario);
+/// `context` is the device that was chosen, or null for the CPU: models that can then compute there. Throws InputError
+/// where a data file cannot be used.
+BuiltModel build_model(const Scenario& scenario, const std::shared_ptr<gpu::Context>& context = nullptr);
 
 }  // namespace waterlight

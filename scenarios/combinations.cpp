@@ -1,4 +1,6 @@
 // Which settings go together.
+#include "scenarios/combinations.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +16,7 @@ namespace waterlight {
 
 namespace {
 
-constexpr std::string_view model_names[] = {"auto", "linear", "airy", "prescribed"};
+constexpr std::string_view model_names[] = {"auto", "linear", "airy", "shallow-water", "prescribed"};
 
 std::string_view name_of(ModelChoice model) { return model_names[static_cast<int>(model)]; }
 
@@ -23,26 +25,19 @@ constexpr double most_margins = 4;  // beyond which a margin costs more than it 
 bool repeats(const Boundary& b) { return b.x == Side::periodic && b.y == Side::periodic; }
 bool absorbs(const Boundary& b) { return b.x == Side::absorbing || b.y == Side::absorbing; }
 
-void require_model(const Scenario& s, bool stated, std::string_view key, const std::vector<ModelChoice>& models) {
-    const ModelChoice model = resolve_model(s).model;
-    if (!stated || std::find(models.begin(), models.end(), model) != models.end()) return;
-    std::string names;
-    for (const ModelChoice m : models) names += (names.empty() ? "" : " or ") + std::string(name_of(m));
-    s.origin.reject(key, fmt::format("it beside waves.model = \"{}\"", name_of(model)), "model " + names);
-}
-
 void check_models(const Scenario& s) {
     using enum ModelChoice;
     const WavesSection& w = s.waves;
-    require_model(s, w.cfl.has_value(), "waves.cfl", {linear});
+    require_model(s, w.cfl.has_value(), "waves.cfl", {linear, shallow_water});
     require_model(s, w.slope.has_value(), "waves.slope", {prescribed});
     require_model(s, w.file.has_value(), "waves.file", {prescribed});
     require_model(s, w.gerstner.has_value(), "waves.gerstner", {prescribed});
     require_model(s, w.spectrum.has_value(), "waves.spectrum", {airy});
     require_model(s, w.buoy.has_value(), "waves.buoy", {airy});
     require_model(s, w.margin_m.has_value(), "waves.margin_m", {linear, airy});
+    require_model(s, !w.sines.empty(), "waves.sine", {linear, airy, prescribed});
     require_model(s, !w.standing.empty(), "waves.standing", {linear, airy});
-    require_model(s, !w.sources.empty(), "waves.source", {linear, airy});
+    require_model(s, !w.sources.empty(), "waves.source", {linear, airy, shallow_water});
     for (std::size_t i = 0; i < w.sines.size(); ++i)
         require_model(s, w.sines[i].frozen, fmt::format("waves.sine[{}].frozen", i), {prescribed});
 }
@@ -77,13 +72,6 @@ void check_initial_state(const Scenario& s) {
     }
 }
 
-void require_inside(const Scenario& s, const std::string& key, glm::dvec2 at) {
-    const glm::dvec2 size = s.domain.size_m;
-    if (at.x >= 0 && at.x <= size.x && at.y >= 0 && at.y <= size.y) return;
-    s.origin.reject(key, fmt::format("[{}, {}]", at.x, at.y),
-                    fmt::format("a place in the domain [0, {}] x [0, {}] m", size.x, size.y));
-}
-
 struct SourceCheck {
     const Scenario& s;
     std::string key;
@@ -110,11 +98,19 @@ struct SourceCheck {
 };
 
 void check_output(const Scenario& s) {
-    constexpr double most_frames = 1e6;
+    constexpr double most_frames = 1e6, most_rows = 1e7;
     const double frames = s.waves.duration_s / s.output.every_s;
     if (frames > most_frames)
         s.origin.reject("output.every_s", fmt::format("{}, which makes {:.3g} frames", s.output.every_s, frames),
                         fmt::format("at most {:.0f} frames", most_frames));
+    if (!s.output.probe_every_s) return;
+    const double every = *s.output.probe_every_s, rows = s.waves.duration_s / every;
+    if (every > s.output.every_s)
+        s.origin.reject("output.probe_every_s", fmt::format("{}", every),
+                        fmt::format("at most output.every_s = {}", s.output.every_s));
+    if (rows > most_rows)
+        s.origin.reject("output.probe_every_s", fmt::format("{}, which makes {:.3g} rows", every, rows),
+                        fmt::format("at most {:.0f} rows", most_rows));
 }
 
 void check_floor(const Scenario& s) {
@@ -158,6 +154,7 @@ void check_checks(const Scenario& s) {
         if (of_floor && !s.floor)
             s.origin.reject(key + ".quantity", fmt::format("\"{}\" without [caustics.floor]", check.quantity),
                             "[caustics.floor] in the scenario");
+        require_model(s, is_of_shallow_water(check.quantity), key + ".quantity", {ModelChoice::shallow_water});
         if (!check.equals && !check.below && !check.above)
             s.origin.reject(key, "no expectation", "equals with a tolerance, below, or above");
         if (check.equals && check.tolerance == 0 && check.relative_tolerance == 0)
@@ -167,8 +164,25 @@ void check_checks(const Scenario& s) {
 
 }  // namespace
 
+void require_model(const Scenario& s, bool stated, std::string_view key, const std::vector<ModelChoice>& models) {
+    const ModelChoice model = resolve_model(s).model;
+    if (!stated || std::find(models.begin(), models.end(), model) != models.end()) return;
+    std::string names;
+    for (const ModelChoice m : models) names += (names.empty() ? "" : " or ") + std::string(name_of(m));
+    s.origin.reject(key, fmt::format("it beside waves.model = \"{}\"", name_of(model)), "model " + names);
+}
+
+void require_inside(const Scenario& s, const std::string& key, glm::dvec2 at) {
+    const glm::dvec2 size = s.domain.size_m;
+    if (at.x >= 0 && at.x <= size.x && at.y >= 0 && at.y <= size.y) return;
+    s.origin.reject(key, fmt::format("[{}, {}]", at.x, at.y),
+                    fmt::format("a place in the domain [0, {}] x [0, {}] m", size.x, size.y));
+}
+
 void check_combinations(const Scenario& s) {
     check_models(s);
+    check_sides(s);
+    check_shallow(s);
     check_initial_state(s);
     for (std::size_t i = 0; i < s.waves.sources.size(); ++i)
         std::visit(SourceCheck{s, fmt::format("waves.source[{}]", i)}, s.waves.sources[i]);

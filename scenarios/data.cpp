@@ -34,7 +34,12 @@ fs::path locate(const Scenario& scenario, std::string_view key, const fs::path& 
 
 void find_data(Scenario& scenario) {
     WavesSection& waves = scenario.waves;
+    std::optional<std::string>& ground = scenario.domain.bathymetry;
+    if (ground) ground = locate(scenario, "domain.bathymetry", *ground, "").string();
     if (waves.file) waves.file = locate(scenario, "waves.file", *waves.file, "").string();
+    for (std::size_t i = 0; i < waves.inflows.size(); ++i)
+        if (std::optional<std::string>& file = waves.inflows[i].signal.file)
+            file = locate(scenario, fmt::format("waves.inflow[{}].file", i), *file, "").string();
     if (!waves.buoy) return;
     const fs::path stem = waves.buoy->stem;
     for (const char* suffix : {".data_spec", ".swdir", ".swdir2", ".swr1", ".swr2"})

@@ -16,6 +16,7 @@ namespace {
 // elevations and depths that wait to be written.
 constexpr double linear_cell = 92;
 constexpr double airy_cell = 100;
+constexpr double shallow_water_cell = 100;
 constexpr double prescribed_cell = 60;
 // Bytes a pixel: landed samples, the map, four that wait to be written, a picture.
 constexpr double two_pass_pixel = 56;
@@ -24,6 +25,7 @@ constexpr double truth_pixel = 120;
 
 double bytes_per_cell(ModelChoice model) {
     if (model == ModelChoice::linear) return linear_cell;
+    if (model == ModelChoice::shallow_water) return shallow_water_cell;
     return model == ModelChoice::prescribed ? prescribed_cell : airy_cell;
 }
 
@@ -43,15 +45,16 @@ double number_in_file(const char* path, const std::string& label) {
 
 MemoryEstimate estimate_memory(const Scenario& scenario) {
     const Boundary boundary = resolve_boundary(scenario);
+    const ModelChoice model = resolve_model(scenario).model;
     const auto with_margins = [&](Side side, double length_m) {
-        if (side != Side::absorbing) return 1.0;
+        if (side != Side::absorbing || model == ModelChoice::shallow_water) return 1.0;
         return scenario.waves.margin_m ? 1 + 2 * *scenario.waves.margin_m / length_m : 2.0;
     };
     const double margins =
         with_margins(boundary.x, scenario.domain.size_m.x) * with_margins(boundary.y, scenario.domain.size_m.y);
     const glm::ivec2 n = scenario.domain.cells;
     MemoryEstimate estimate;
-    estimate.cells = margins * n.x * static_cast<double>(n.y) * bytes_per_cell(resolve_model(scenario).model);
+    estimate.cells = margins * n.x * static_cast<double>(n.y) * bytes_per_cell(model);
     if (!scenario.floor) return estimate;
     const glm::ivec2 pixels = scenario.floor->pixels;
     const double per_pixel = scenario.floor->method == FloorMethod::truth ? truth_pixel : two_pass_pixel;

@@ -14,8 +14,8 @@ struct MemoryEstimate {
     double total() const { return cells + pixels; }
 };
 
-/// Cells (times 2 for each pair of absorbing sides: the hidden margin) x bytes a cell of the model, plus pixels x bytes
-/// a pixel of the method. An upper estimate.
+/// Cells (times 2 for each pair of absorbing sides that has a hidden margin) x bytes a cell of the model, plus pixels x
+/// bytes a pixel of the method. An upper estimate.
 MemoryEstimate estimate_memory(const Scenario& scenario);
 
 /// What this machine can give, in bytes: available memory, or the limit of the control group where that is less.

@@ -1,5 +1,6 @@
 #include "scenarios/quantities.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "scenarios/scenario.hpp"
@@ -16,7 +17,17 @@ constexpr std::array of_run{
     Quantity{"waves.slope_variance", "", "mean square slope"},
     Quantity{"waves.mass_drift", "m", "largest change of the mean level over the run"},
     Quantity{"waves.energy_drift", "",
-             "largest relative change of the energy once all drops have fallen; closed water without a wavemaker only"},
+             "largest relative change of the energy once all drops have fallen; closed water without a wavemaker or "
+             "friction only"},
+    Quantity{"waves.volume_drift", "",
+             "largest change of the water's volume over its volume at the start; closed sides"},
+    Quantity{"waves.momentum_x", "kg m/s", "of the water"},
+    Quantity{"waves.momentum_y", "kg m/s", "of the water"},
+    Quantity{"waves.energy", "J", "kinetic, and potential above that of water still at level 0"},
+    Quantity{"waves.inundated_area", "m2", "of ground that was dry at the start and came under water since"},
+    Quantity{"waves.max_runup", "m", "height of the highest ground that ever was under water"},
+    Quantity{"waves.min_depth", "m", "least depth of any cell over the frames; never below zero"},
+    Quantity{"waves.exact_l1", "", "relative L1 error of the depth against the exact state that waves.initial states"},
     Quantity{"sea.significant_height", "m", "of that part of the spectrum which the grid carries"},
     Quantity{"sea.longer_fraction", "", "part of the spectrum's variance in waves longer than the domain"},
     Quantity{"sea.shorter_fraction", "", "part of the spectrum's variance in waves shorter than two cells"},
@@ -33,14 +44,24 @@ constexpr std::array of_run{
 
 constexpr std::array of_probe{
     Quantity{"elevation", "m", "at the end"},
-    Quantity{"min_elevation", "m", "least over the frames"},
-    Quantity{"max_elevation", "m", "greatest over the frames"},
-    Quantity{"rms_elevation", "m", "root mean square over the frames of the second half of the run"},
+    Quantity{"min_elevation", "m", "least over the rows of probes.csv"},
+    Quantity{"max_elevation", "m", "greatest over the rows of probes.csv"},
+    Quantity{"rms_elevation", "m", "root mean square over the rows of the second half of the run"},
+    Quantity{"arrival_time", "s", "when the water came, or first rose by waves.wet_m; model shallow-water"},
     Quantity{"irradiance", "W/m2", "on the floor below, at the end"},
     Quantity{"max_irradiance", "W/m2", "on the floor below, greatest over the frames"},
 };
 
+// What the model shallow-water alone has.
+constexpr std::array of_shallow_water{"waves.volume_drift",   "waves.momentum_x", "waves.momentum_y", "waves.energy",
+                                      "waves.inundated_area", "waves.max_runup",  "waves.min_depth",  "waves.exact_l1"};
+
 }  // namespace
+
+bool is_of_shallow_water(std::string_view quantity) {
+    return std::find(of_shallow_water.begin(), of_shallow_water.end(), quantity) != of_shallow_water.end() ||
+           quantity.ends_with(".arrival_time");
+}
 
 std::span<const Quantity> run_quantities() { return of_run; }
 std::span<const Quantity> probe_quantities() { return of_probe; }

@@ -20,6 +20,8 @@ struct Quantity {
 std::span<const Quantity> run_quantities();
 /// Those of each probe; their full name is probe.NAME.quantity.
 std::span<const Quantity> probe_quantities();
+/// Whether only the model shallow-water has it.
+bool is_of_shallow_water(std::string_view quantity);
 /// The full names that this scenario's checks may use.
 std::vector<std::string> quantity_names(const Scenario& scenario);
 

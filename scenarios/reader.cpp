@@ -45,6 +45,16 @@ toml::table parse_toml(std::string_view text, const std::filesystem::path& file)
     }
 }
 
+/// A solitary wave starts on the depth of the domain where it states none.
+void fill_depths(Scenario& scenario) {
+    std::vector<ShallowInitial>& initial = scenario.waves.initial;
+    for (std::size_t i = 0; i < initial.size(); ++i) {
+        auto* wave = std::get_if<SolitaryWave>(&initial[i]);
+        if (wave && !scenario.origin.places.contains(fmt::format("waves.initial[{}].depth_m", i)))
+            wave->depth_m = scenario.domain.depth_m;
+    }
+}
+
 }  // namespace
 
 Scenario parse_scenario(std::string_view text, const std::filesystem::path& file,
@@ -65,6 +75,7 @@ Scenario parse_scenario(std::string_view text, const std::filesystem::path& file
     describe(reader, scenario);
     reader.finish();
     scenario.water.depth_m = scenario.domain.depth_m;
+    fill_depths(scenario);
     return scenario;
 }
 

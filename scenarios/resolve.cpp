@@ -1,5 +1,6 @@
 #include "scenarios/resolve.hpp"
 
+#include <algorithm>
 #include <cassert>
 
 namespace waterlight {
@@ -20,11 +21,35 @@ ModelDecision resolve_model(const Scenario& scenario) {
              "airy is exact in time over a flat floor for waves of any length"}};
 }
 
+SideChoices resolve_sides(const Scenario& scenario) {
+    const WavesSection& w = scenario.waves;
+    const bool repeats = resolve_model(scenario).model == ModelChoice::prescribed || w.spectrum || w.buoy;
+    const SideChoice open = repeats ? SideChoice::periodic : SideChoice::wall;
+    const SideChoice x = w.boundary_x.value_or(open), y = w.boundary_y.value_or(open);
+    return {w.boundary_west.value_or(x), w.boundary_east.value_or(x), w.boundary_south.value_or(y),
+            w.boundary_north.value_or(y)};
+}
+
 Boundary resolve_boundary(const Scenario& scenario) {
-    const WavesSection& waves = scenario.waves;
-    const bool repeats = resolve_model(scenario).model == ModelChoice::prescribed || waves.spectrum || waves.buoy;
-    const Side open = repeats ? Side::periodic : Side::wall;
-    return {waves.boundary_x.value_or(open), waves.boundary_y.value_or(open)};
+    const SideChoices sides = resolve_sides(scenario);
+    const std::vector<Inflow>& inflows = scenario.waves.inflows;
+    const auto is_wall = [&](SideChoice choice, DomainSide side) {
+        if (choice != SideChoice::inflow) return choice == SideChoice::wall;
+        return std::any_of(inflows.begin(), inflows.end(),
+                           [side](const Inflow& i) { return i.side == side && i.kind == InflowKind::piston; });
+    };
+    const auto seen = [&](SideChoice low, DomainSide low_side, SideChoice high, DomainSide high_side) {
+        if (is_wall(low, low_side) || is_wall(high, high_side)) return Side::wall;
+        return low == SideChoice::periodic ? Side::periodic : Side::absorbing;
+    };
+    return {seen(sides.west, DomainSide::west, sides.east, DomainSide::east),
+            seen(sides.south, DomainSide::south, sides.north, DomainSide::north)};
+}
+
+bool is_closed(const Scenario& scenario) {
+    const SideChoices sides = resolve_sides(scenario);
+    const auto closed = [](SideChoice side) { return side == SideChoice::periodic || side == SideChoice::wall; };
+    return closed(sides.west) && closed(sides.east) && closed(sides.south) && closed(sides.north);
 }
 
 Grid grid_of(const Scenario& scenario) {

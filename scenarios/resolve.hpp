@@ -17,8 +17,14 @@ struct ModelDecision {
 };
 
 ModelDecision resolve_model(const Scenario& scenario);
-/// The sides as stated; those left open are periodic for the model prescribed and for a spectrum or a buoy, else walls.
+/// The sides as stated, each by itself before its axis; those left open are periodic for the model prescribed and for a
+/// spectrum or a buoy, else walls.
+SideChoices resolve_sides(const Scenario& scenario);
+/// The same as the models of equal sides and the light take them: a wall where one of both is (a piston is one),
+/// absorbing where both let waves out.
 Boundary resolve_boundary(const Scenario& scenario);
+/// Whether neither waves nor water pass a side.
+bool is_closed(const Scenario& scenario);
 Grid grid_of(const Scenario& scenario);
 /// Of the floor's map. The scenario has one.
 FloorSettings floor_settings(const Scenario& scenario);

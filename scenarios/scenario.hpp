@@ -11,9 +11,12 @@
 #include "caustics/floor.hpp"
 #include "caustics/light.hpp"
 #include "export/vti.hpp"
+#include "scenarios/inflow.hpp"
 #include "scenarios/origin.hpp"
+#include "sim/bathymetry.hpp"
 #include "sim/boundary.hpp"
 #include "sim/prescribed.hpp"
+#include "sim/shallow_initial.hpp"
 #include "sim/sines.hpp"
 #include "sim/sources.hpp"
 #include "sim/spectrum.hpp"
@@ -22,7 +25,7 @@
 namespace waterlight {
 
 /// The rungs of the ladder of wave models; automatic lets the program choose.
-enum class ModelChoice { automatic, linear, airy, prescribed };
+enum class ModelChoice { automatic, linear, airy, shallow_water, prescribed };
 
 enum class FloorMethod { two_pass, truth };
 
@@ -33,16 +36,23 @@ enum class Footprint { pixel };
 struct DomainSection {
     glm::dvec2 size_m{1, 1};
     glm::ivec2 cells{1, 1};
-    double depth_m = 1;
+    double depth_m = 1;                     ///< of the flat floor, and of the water for light
+    std::optional<std::string> bathymetry;  ///< file of the ground, in place of the flat floor
+    GroundFile survey;                      ///< how that file is meant; its path is in bathymetry
+    std::vector<GroundShape> ground;
 };
 
 struct WavesSection {
     ModelChoice model = ModelChoice::automatic;
-    std::optional<Side> boundary_x;  ///< none: chosen by resolve_boundary()
-    std::optional<Side> boundary_y;
+    std::optional<SideChoice> boundary_x;  ///< none: chosen by resolve_sides()
+    std::optional<SideChoice> boundary_y;
+    std::optional<SideChoice> boundary_west, boundary_east, boundary_south, boundary_north;  ///< none: of the axis
+    std::vector<Inflow> inflows;
     double duration_s = 0;
     std::optional<double> cfl;       ///< none: the model's own
     std::optional<double> margin_m;  ///< none: chosen by the model
+    std::optional<double> manning;   ///< s/m^(1/3); none: no friction
+    std::optional<double> wet_m;     ///< depth from which ground counts as inundated; none: the model's own
     std::optional<glm::dvec2> slope;
     std::optional<std::string> file;
     std::vector<Sine> sines;
@@ -51,6 +61,7 @@ struct WavesSection {
     std::optional<BuoySettings> buoy;
     std::optional<GerstnerSettings> gerstner;
     std::vector<Source> sources;
+    std::vector<ShallowInitial> initial;  ///< of the model shallow-water
 };
 
 struct FloorSection {
@@ -67,6 +78,7 @@ struct FloorSection {
 
 struct OutputSection {
     double every_s = 0.1;
+    std::optional<double> probe_every_s;  ///< none: every_s
     std::vector<std::string> formats{"vti", "png"};
     std::vector<std::string> fields{"elevation", "velocity", "depth"};
     Compression compression = Compression::none;

@@ -2,58 +2,26 @@
 #include "scenarios/schema.hpp"
 
 #include "scenarios/scenario.hpp"
+#include "scenarios/schema_parts.hpp"
+#include "scenarios/schema_shallow.hpp"
 
 namespace waterlight {
 
+using namespace schema;
+
 namespace {
 
-constexpr Range positive{.low = 0, .excludes_low = true};
-constexpr Range not_negative{.low = 0};
-constexpr Range circle{.low = -360, .high = 360};
 constexpr Range cell_counts{.low = 1, .high = 1 << 20};
 constexpr Range pixel_counts{.low = 1, .high = 1 << 20};
 constexpr Range window_sizes{.low = 1, .high = 9999};
 
-/// The names follow the order of the enumeration.
-template <class E>
-Choice choice(E& value, std::vector<std::string_view> names) {
-    return {std::move(names), static_cast<int>(value), [&value](int i) { value = static_cast<E>(i); }};
-}
-
-/// As choice(), with a word in front for "none".
-template <class E>
-Choice choice_or(std::string_view none, std::optional<E>& value, std::vector<std::string_view> names) {
-    names.insert(names.begin(), none);
-    return {std::move(names), value ? static_cast<int>(*value) + 1 : 0, [&value](int i) {
-                if (i == 0)
-                    value.reset();
-                else
-                    value = static_cast<E>(i - 1);
-            }};
-}
-
-template <class T, class Describe>
-Visitor::Inside into(std::optional<T>& value, Describe describe_one) {
-    return [&value, describe_one](Visitor& v) {
-        T stated;
-        describe_one(v, stated);
-        value = stated;
-    };
-}
-
-template <class T, class List, class Describe>
-Visitor::Inside append(List& values, Describe describe_one) {
-    return [&values, describe_one](Visitor& v) {
-        T stated;
-        describe_one(v, stated);
-        values.push_back(stated);
-    };
-}
-
 void describe_domain(Visitor& v, DomainSection& s) {
     v.value({"size_m", "m", "Width and height of the patch of water.", positive, true}, &s.size_m);
     v.value({"cells", "", "Cells of the wave model along x and y.", cell_counts, true}, &s.cells);
-    v.value({"depth_m", "m", "Depth of the still water above the flat floor.", positive, true}, &s.depth_m);
+    v.value(
+        {"depth_m", "m", "Depth of the still water above the flat floor, where the map of light lies.", positive, true},
+        &s.depth_m);
+    describe_ground(v, s);
 }
 
 void describe_water(Visitor& v, Water& w, WaterOptics& o) {
@@ -148,23 +116,17 @@ void describe_wavemaker(Visitor& v, Wavemaker& s) {
 
 void describe_waves(Visitor& v, WavesSection& s) {
     v.value({"model", "", "Wave model; auto takes prescribed where slope, file or gerstner is stated, else airy."},
-            choice(s.model, {"auto", "linear", "airy", "prescribed"}));
-    v.section(
-        {"boundary", "",
-         "What happens at the sides; auto is periodic for the model prescribed and for a spectrum or a buoy, else "
-         "wall."},
-        [&s](Visitor& in) {
-            in.value({"x", "", "Both x sides."}, choice_or("auto", s.boundary_x, {"periodic", "wall", "absorbing"}));
-            in.value({"y", "", "Both y sides."}, choice_or("auto", s.boundary_y, {"periodic", "wall", "absorbing"}));
-        });
+            choice(s.model, {"auto", "linear", "airy", "shallow-water", "prescribed"}));
+    v.section(sides_key, [&s](Visitor& in) { describe_sides(in, s); });
     v.value({"duration_s", "s", "Time to simulate; 0 gives one frame.", not_negative}, &s.duration_s);
-    v.value({"cfl",
-             "",
-             "c dt sqrt(1/dx2 + 1/dy2); model linear only.",
-             {.low = 0, .high = 1, .excludes_low = true},
-             false,
-             "0.9"},
-            &s.cfl);
+    v.value(
+        {"cfl",
+         "",
+         "Courant number: c dt sqrt(1/dx2 + 1/dy2) of linear, dt max((|u| + c)/dx + (|v| + c)/dy) of shallow-water.",
+         {.low = 0, .high = 1, .excludes_low = true},
+         false,
+         "0.9 of linear, 0.8 of shallow-water"},
+        &s.cfl);
     v.value({"margin_m", "m", "Width of the hidden margin that swallows waves beyond an absorbing side.", positive,
              false, "chosen by the model"},
             &s.margin_m);
@@ -196,7 +158,8 @@ void describe_waves(Visitor& v, WavesSection& s) {
                        }));
     v.optional_section({"gerstner", "", "A sea of trochoidal waves; model prescribed."},
                        into(s.gerstner, describe_gerstner));
-    v.list({"source", "", "What disturbs the water; models linear and airy."},
+    describe_shallow(v, s);
+    v.list({"source", "", "What disturbs the water; models linear, airy and shallow-water."},
            {{"drop", "A crater or a bump with its rim, of no volume.", append<Drop>(s.sources, describe_drop)},
             {"rain", "Drops at random places and times.", append<Rain>(s.sources, describe_rain)},
             {"wavemaker", "A line that sends plane waves to both sides.",
@@ -240,10 +203,17 @@ void describe_floor(Visitor& v, FloorSection& s) {
 
 void describe_output(Visitor& v, OutputSection& s) {
     v.value({"every_s", "s", "Time between frames.", positive}, &s.every_s);
+    v.value(
+        {"probe_every_s", "s", "Time between the rows of probes.csv, frames or not; between frames irradiance is nan.",
+         positive, false, "every_s"},
+        &s.probe_every_s);
     v.value({"formats", "", "What to write; png16 is 16-bit grey with its scale in the file."},
             Words{{"vti", "png", "png16", "exr"}, &s.formats});
-    v.value({"fields", "", "Arrays of surface/*.vti beside elevation; velocity where the model has it."},
-            Words{{"elevation", "slope", "velocity", "depth"}, &s.fields});
+    v.value(
+        {"fields", "",
+         "Arrays of surface/*.vti beside elevation; velocity where the model has it. max_elevation, max_speed and "
+         "arrival_time are those of extremes.vti, over all steps; model shallow-water only."},
+        Words{{"elevation", "slope", "velocity", "depth", "max_elevation", "max_speed", "arrival_time"}, &s.fields});
     v.value({"compression", "", "Of the .vti arrays."}, choice(s.compression, {"none", "lz4", "zlib"}));
     v.value({"elevation_max_m", "m", "Elevation at the ends of the pictures' colours.", positive, false,
              "the largest so far"},

@@ -10,6 +10,7 @@ target_sources(waterlight_sim PRIVATE
     prescribed.cpp
     prescribed_file.cpp
     prescribed_formula.cpp
+    runup.cpp
     sources.cpp
     sponge.cpp
     surface_sums.cpp)

@@ -4,7 +4,7 @@ find_package(nlohmann_json REQUIRED)
 waterlight_test(app_record_test SOURCES unit/app_record_test.cpp LIBRARIES waterlight_app)
 
 waterlight_test(program_test
-    SOURCES scenarios/bad_scenarios_test.cpp scenarios/outputs_test.cpp
+    SOURCES scenarios/bad_scenarios_test.cpp scenarios/outputs_test.cpp scenarios/shallow_outputs_test.cpp
     LIBRARIES waterlight::sim waterlight_sim_files nlohmann_json::nlohmann_json fmt::fmt)
 waterlight_test(shipped_scenarios_test
     SOURCES scenarios/shipped_scenarios_test.cpp

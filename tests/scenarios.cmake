@@ -1,7 +1,9 @@
 # The scenario reader.
 waterlight_test(scenario_test
     SOURCES
+        unit/scenario_build_shallow_test.cpp
         unit/scenario_errors_test.cpp
         unit/scenario_overrides_test.cpp
         unit/scenario_reader_test.cpp
+        unit/scenario_shallow_test.cpp
     LIBRARIES waterlight::scenarios)

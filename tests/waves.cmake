@@ -7,6 +7,8 @@ waterlight_test(waves_sources_tests
     SOURCES unit/sources_drops.cpp unit/sources_wavemaker.cpp
     LIBRARIES waterlight::sim)
 
+waterlight_test(runup_tests SOURCES unit/runup.cpp LIBRARIES waterlight::sim)
+
 waterlight_test(waves_prescribed_tests
     SOURCES laws/prescribed_file.cpp laws/prescribed_formula.cpp laws/prescribed_gerstner.cpp
     LIBRARIES waterlight::sim)

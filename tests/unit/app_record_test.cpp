@@ -28,6 +28,18 @@ TEST(Readings, ElevationIsExactOnAPlaneBetweenCellCentres) {
         EXPECT_NEAR(elevation_at(s, at), 0.25 * at.x - 0.5 * at.y, 1e-6);
 }
 
+TEST(Readings, BesideDryGroundElevationIsThatOfTheCellItself) {
+    Surface s = plane({Side::wall, Side::wall}, 0, 0);
+    s.depth.emplace(8, 4);
+    s.depth->fill(0.5F);
+    (*s.depth)(6, 1) = 0;
+    s.elevation(6, 1) = 2;  // a rock
+    s.slope_x(4, 1) = 1;
+    EXPECT_EQ(elevation_at(s, {3.4, 0.7}), 2);
+    EXPECT_EQ(elevation_at(s, {2.9, 0.7}), 0) << "between the rock and the water the water is not bent upwards";
+    EXPECT_GT(elevation_at(s, {2.4, 0.75}), 0.05) << "away from it the surface is smooth";
+}
+
 /// cos(k x) with one half wave between walls, or one wave between periodic sides of 4 m.
 Surface cosine(Side side, int cells) {
     const double k = (side == Side::wall ? 1 : 2) * std::numbers::pi / 4;

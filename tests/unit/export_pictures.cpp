@@ -136,6 +136,21 @@ TEST(Picture, ValuesWithoutNumberAndBeyondTheRangeAreSeen) {
     EXPECT_EQ(colour_at(2), colour(ColourMap::viridis, 0));
 }
 
+TEST(Picture, DryGroundHasAColourOfItsOwn) {
+    Field<float> field(480, 1);
+    field(0, 0) = std::numeric_limits<float>::quiet_NaN();
+    PictureSettings settings;
+    settings.legend = false;
+    settings.missing = ground_colour;
+    const IndexedImage image = draw_picture(field, settings);
+    EXPECT_EQ(image.palette[image.pixels[0]], ground_colour);
+    for (const ColourMap map : {ColourMap::viridis, ColourMap::cool_warm})
+        for (int i = 0; i <= 100; ++i) {
+            const Rgb c = colour(map, i / 100.0);
+            EXPECT_GT(std::hypot(c.r - ground_colour.r, c.g - ground_colour.g, c.b - ground_colour.b), 30) << i;
+        }
+}
+
 /// Where the whole picture with its legend differs from white paper.
 TEST(Picture, TheLegendFitsOnThePaperWhateverItSays) {
     for (const auto& [nx, ny] : {std::pair{480, 360}, {40, 400}, {400, 3}, {1024, 768}}) {

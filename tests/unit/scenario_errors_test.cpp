@@ -85,6 +85,10 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"CheckWithoutBound", "[[check]]\nquantity = \"waves.steps\"\n", "pool.toml:5:1: check[0]:", "below"},
         Bad{"EqualsWithoutTolerance", "[[check]]\nquantity = \"waves.steps\"\nequals = 1\n",
             "pool.toml:7:10: check[0].equals:", "tolerance"},
+        Bad{"RowsRarerThanFrames", "[output]\nevery_s = 0.1\nprobe_every_s = 0.2\n",
+            "pool.toml:7:17: output.probe_every_s:", "at most output.every_s = 0.1"},
+        Bad{"TooManyRows", "[waves]\nduration_s = 1000\n[output]\nprobe_every_s = 1e-6\n",
+            "pool.toml:8:17: output.probe_every_s:", "rows"},
         Bad{"TooManyFrames", "[waves]\nduration_s = 1e9\n", "pool.toml: output.every_s:", "frames"}),
     [](const auto& bad) { return bad.param.name; });
 
@@ -183,9 +187,9 @@ TEST(Schema, EveryKeySaysWhatItIs) {
         EXPECT_TRUE(row.is_section || !row.standard.empty()) << row.key;
         // The first ending that fits says the unit.
         const std::pair<const char*, const char*> endings[] = {
-            {"_per_m", "1/m"},     {"_n_m", "N/m"},   {"_kg_m3", "kg/m3"},
-            {"_m2_s", "1/(m2 s)"}, {"_m_s2", "m/s2"}, {"_w_m2", "W/m2"},
-            {"_deg", "deg"},       {"_m", "m"},       {"_s", "s"}};
+            {"_per_m", "1/m"}, {"_n_m", "N/m"},   {"_kg_m3", "kg/m3"}, {"_per_m2_s", "1/(m2 s)"},
+            {"_m2_s", "m2/s"}, {"_m_s2", "m/s2"}, {"_m_s", "m/s"},     {"_w_m2", "W/m2"},
+            {"_deg", "deg"},   {"_m", "m"},       {"_s", "s"}};
         for (const auto& [ending, unit] : endings) {
             if (!row.key.ends_with(ending)) continue;
             EXPECT_EQ(row.unit, unit) << row.key;

@@ -1,0 +1,20 @@
+// The parts of check_combinations().
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "scenarios/scenario.hpp"
+
+namespace waterlight {
+
+/// Throws InputError where `key` is stated beside a model that does not know it.
+void require_model(const Scenario& scenario, bool stated, std::string_view key, const std::vector<ModelChoice>& models);
+void require_inside(const Scenario& scenario, const std::string& key, glm::dvec2 at);
+
+/// Throws InputError where sides do not go together or with the model.
+void check_sides(const Scenario& scenario);
+/// Throws InputError where what only the model shallow-water knows is stated beside another, or contradicts itself.
+void check_shallow(const Scenario& scenario);
+
+}  // namespace waterlight
