@@ -132,6 +132,8 @@ BeamLedger charge_row(const BeamSettings& s, int j, Beams& beams) {
     return ledger;
 }
 
+}  // namespace
+
 BeamLedger operator+(BeamLedger a, const BeamLedger& b) {
     a.incident_w += b.incident_w;
     a.reflected_w += b.reflected_w;
@@ -141,8 +143,6 @@ BeamLedger operator+(BeamLedger a, const BeamLedger& b) {
     a.discarded_w += b.discarded_w;
     return a;
 }
-
-}  // namespace
 
 double BeamLedger::closure() const {
     const double accounted = reflected_w + extinguished_w + floor_w + outside_w + discarded_w;

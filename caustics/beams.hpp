@@ -40,6 +40,8 @@ struct BeamLedger {
     double closure() const;
 };
 
+BeamLedger operator+(BeamLedger a, const BeamLedger& b);
+
 /// The beams of one surface. Corners are shared: corner (i, j) is at the grid's column i of 0 .. nx, row j of 0 .. ny.
 /// Cell (i, j) has beam 2 i with corners (i, j), (i + 1, j), (i + 1, j + 1) and beam 2 i + 1 with corners (i, j),
 /// (i + 1, j + 1), (i, j + 1).

@@ -7,6 +7,8 @@
 
 #include "caustics/kernels/beams.hpp"
 #include "caustics/kernels/phase.hpp"
+#include "caustics/phase.hpp"
+#include "caustics/water_types.hpp"
 
 namespace waterlight {
 namespace {
@@ -182,6 +184,32 @@ TEST(PhaseKernel, FournierForandSendsBackWhatItsAuthorsTabulate) {
     EXPECT_NEAR(back(1.10, 3.5835) / 0.0183, 1, 0.01);
     EXPECT_NEAR(back(1.08, 3.483) / 0.01, 1, 0.01);
     EXPECT_NEAR(back(1.175, 4.065) / 0.1, 1, 0.01);
+}
+
+TEST(WaterTypes, ScatterBackWhatWasMeasured) {
+    for (const WaterType& water : water_types) {
+        const auto phase = [&](double s) {
+            return water.phase.type == Phase::Type::pure_water
+                       ? f64::pure_water(1 - 2 * s)
+                       : f64::fournier_forand(water.phase.index, water.phase.slope, s);
+        };
+        EXPECT_NEAR(over_sphere(phase, 0.5, 1) / water.backscattered, 1, 0.01) << water.name;
+    }
+}
+
+TEST(WaterTypes, TheTableOfAPhaseFunctionIsThatFunction) {
+    for (const WaterType& water : water_types) {
+        const PhaseTable table(water.phase);
+        for (double angle = 0.01; angle < 3.14; angle *= 1.07) {
+            const double sine2 = std::pow(std::sin(angle / 2), 2);
+            const double exact = water.phase.type == Phase::Type::pure_water
+                                     ? f64::pure_water(1 - 2 * sine2)
+                                     : f64::fournier_forand(water.phase.index, water.phase.slope, sine2);
+            const PhaseFraction read = table(static_cast<float>(1 - 2 * sine2));
+            // In single precision the cosine of a small angle is no better.
+            EXPECT_NEAR(read.numerator / read.denominator / exact, 1, 1e-3 + 1e-7 / sine2) << water.name << angle;
+        }
+    }
 }
 
 TEST(PhaseKernel, SinglePrecisionExponential) {
