@@ -223,6 +223,37 @@ TEST(BeamImage, APictureIsTheSumOverPlacesInTheWater) {
     EXPECT_LT(std::sqrt(difference / square), 0.01);
 }
 
+TEST(BeamImage, AlongTheLightUnderWavesNoRayIsLost) {
+    // Towards the sun rays run along the beams, where sections are ill defined.
+    const Grid grid = make_grid(128, 128, 4, 4);
+    const Surface surface = sample(grid, {Side::periodic, Side::periodic}, egg_crate(.004, 1));
+    BeamSettings s;
+    s.grid = {64, 64};
+    s.depth_m = 4;
+    s.sun = {70, 30, 1};
+    s.optics.scattering_per_m = .1;
+    s.optics.phase.g = .5;
+    Beams beams;
+    make_beams(s, surface, beams);
+    BeamImageSettings image;
+    image.optics = s.optics;
+    image.range_m = 12;
+    const f64::Refraction rest = f64::refract_sun(s.sun.direction(), {0, 0}, 4.0 / 3, 1);
+    const glm::dvec3 eye{1.9, 2.2, -3};
+    image.camera = {eye, eye + glm::dvec3{-rest.travel, 1}, 20, {120, 80}};
+    BeamImage one, many;
+    draw_beams(image, beams, one);
+    image.samples = 32;
+    draw_beams(image, beams, many);
+    const auto [least, most] = std::minmax_element(many.radiance.values().begin(), many.radiance.values().end());
+    EXPECT_GT(*std::min_element(one.radiance.values().begin(), one.radiance.values().end()), 0.5F * *least);
+    EXPECT_LT(*std::max_element(one.radiance.values().begin(), one.radiance.values().end()), 2.0F * *most);
+    Field<float> reference = many.radiance.clone();
+    const double error = rmse(one.radiance, reference);
+    RecordProperty("rmse_percent_one_section", std::to_string(100 * error));
+    EXPECT_LT(error, 0.1);
+}
+
 TEST(BeamImage, MoreSectionsOfARayConverge) {
     // Coarse cells, in whose long chords one sample in the middle is not enough.
     const Field<float> fine = Shafts(24, 32).draw();
