@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "caustics/beam_enlarge.hpp"
 #include "caustics/beam_strip.hpp"
 #include "sim/error.hpp"
 
@@ -24,6 +25,7 @@ void validate(const BeamImageSettings& s, const Beams& beams) {
         throw InputError(fmt::format("camera: its height is {} m; below the surface and above the floor at -{} m",
                                      c.position_m.z, beams.depth_m));
     if (s.samples < 1) throw InputError("camera: samples must be at least 1");
+    if (s.reduction < 1) throw InputError("camera: reduction must be at least 1");
     if (!(s.range_m > 0)) throw InputError("camera: range_m must be above 0");
     if (std::abs(s.optics.extinction_per_m() - beams.extinction_per_m) > 1e-12)
         throw InputError("camera: the beams were made for another extinction");
@@ -125,10 +127,7 @@ void draw(const BeamImageSettings& s, const Beams& beams, const PhaseFunction& p
     image.counts = {2 * static_cast<std::int64_t>(shown.size()), covered, sections};
 }
 
-}  // namespace
-
-void draw_beams(const BeamImageSettings& settings, const Beams& beams, BeamImage& image) {
-    validate(settings, beams);
+void draw(const BeamImageSettings& settings, const Beams& beams, BeamImage& image) {
     const glm::ivec2 size = settings.camera.size;
     if (image.radiance.nx() != size.x || image.radiance.ny() != size.y) image.radiance = Field<float>(size.x, size.y);
     const Phase& phase = settings.optics.phase;
@@ -136,6 +135,21 @@ void draw_beams(const BeamImageSettings& settings, const Beams& beams, BeamImage
         draw(settings, beams, HenyeyGreenstein{static_cast<float>(phase.g)}, image);
     else
         draw(settings, beams, PhaseTable(phase), image);
+}
+
+}  // namespace
+
+void draw_beams(const BeamImageSettings& settings, const Beams& beams, BeamImage& image) {
+    validate(settings, beams);
+    if (settings.reduction == 1) return draw(settings, beams, image);
+    BeamImageSettings fewer = settings;
+    fewer.camera = reduced(settings.camera, settings.reduction);
+    BeamImage coarse;
+    draw(fewer, beams, coarse);
+    image.counts = coarse.counts;
+    const glm::ivec2 size = settings.camera.size;
+    if (image.radiance.nx() != size.x || image.radiance.ny() != size.y) image.radiance = Field<float>(size.x, size.y);
+    enlarge(settings, beams, coarse.radiance, image.radiance);
 }
 
 }  // namespace waterlight

@@ -12,6 +12,7 @@ struct BeamImageSettings {
     Camera camera;         ///< below the surface; it may stand beside a pool whose sides are walls, without its glass
     WaterOptics optics;    ///< as that of the beams
     int samples = 1;       ///< sections of a ray's way through a beam, each sampled in its middle, >= 1
+    int reduction = 1;     ///< draws one ray of so many each way and enlarges; 1 draws all
     double range_m = 100;  ///< how far the camera sees; to there periodic sides repeat the beams, > 0
 };
 

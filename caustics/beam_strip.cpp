@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "caustics/beam_blocks.hpp"
+#include "caustics/water_box.hpp"
 
 namespace waterlight {
 
@@ -11,27 +12,7 @@ namespace {
 
 using blocks::lanes;
 
-constexpr float boundless_m = 1e9F;
-
 int padded(int rows) { return (rows + 2 * lanes - 1) / lanes * lanes; }
-
-/// The water around the camera, relative to it: between walls, the highest crest and the floor.
-struct WaterBox {
-    glm::vec3 low{-boundless_m, -boundless_m, 0}, high{boundless_m, boundless_m, 0};
-    WaterBox(const Beams& b, glm::dvec3 eye) {
-        const Grid& g = b.domain;
-        if (b.boundary.x == Side::wall) {
-            low.x = static_cast<float>(g.x0_m - eye.x);
-            high.x = static_cast<float>(g.x0_m + g.width_m() - eye.x);
-        }
-        if (b.boundary.y == Side::wall) {
-            low.y = static_cast<float>(g.y0_m - eye.y);
-            high.y = static_cast<float>(g.y0_m + g.height_m() - eye.y);
-        }
-        low.z = static_cast<float>(eye.z - b.highest_m);
-        high.z = static_cast<float>(eye.z + b.depth_m);
-    }
-};
 
 }  // namespace
 
@@ -56,7 +37,7 @@ void BeamStrip::begin(int first_column) {
         for (int i = 0; i < rows; ++i) {
             const float row = static_cast<float>(i);
             const glm::vec3 r{first.x + row * up.x, first.y + row * up.y, first.z + row * up.z};
-            const f32::WaterSpan span = f32::water_span(r, box.low, box.high);
+            const f32::WaterSpan span = box.span(r);
             length[i] = f32::sqrt(r.x * r.x + r.y * r.y + r.z * r.z);
             per_length[i] = 1 / length[i];
             near[i] = span.near;

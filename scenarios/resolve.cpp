@@ -100,6 +100,7 @@ BeamImageSettings beam_image_settings(const Scenario& scenario) {
     settings.camera = scenario.camera->camera;
     settings.optics = scenario.optics;
     settings.samples = scenario.camera->samples;
+    settings.reduction = scenario.camera->reduction;
     settings.range_m =
         scenario.camera->range_m.value_or(extinction > 0 ? std::min(longest_m, dim / extinction) : longest_m);
     return settings;

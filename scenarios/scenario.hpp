@@ -88,6 +88,7 @@ struct BeamsSection {
 struct CameraSection {
     Camera camera;
     int samples = 1;
+    int reduction = 1;
     std::optional<double> range_m;       ///< none: chosen by beam_image_settings()
     std::optional<double> radiance_max;  ///< of the pictures, W/(m2 sr); none: of each frame
 };

@@ -81,6 +81,11 @@ void describe_camera(Visitor& v, CameraSection& s) {
             &s.camera.fov_deg);
     v.value({"pixels", "", "Width and height of the picture.", counts}, &s.camera.size);
     v.value({"samples", "", "Sections of a ray's way through a beam.", {.low = 1, .high = 1024}}, &s.samples);
+    v.value({"reduction",
+             "",
+             "Draws one ray of so many each way and enlarges the picture, with the water's edges sharp.",
+             {.low = 1, .high = 16}},
+            &s.reduction);
     v.value({"range_m", "m", "How far it sees; to there periodic sides repeat.", positive, false,
              "where a thousandth of the light is left, at most twice the domain"},
             &s.range_m);

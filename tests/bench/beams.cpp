@@ -33,12 +33,13 @@ BeamSettings beam_settings(int n) {
 /// The pool fills some two fifths of the picture.
 Camera beside_the_pool() { return {{1.5, -3.2, -.8}, {1.5, 1.5, -1}, 50, {900, 600}}; }
 
-void beams_image(benchmark::State& state, int n) {
+void beams_image(benchmark::State& state, int n, int reduction) {
     const Surface surface = pool();
     const BeamSettings settings = beam_settings(n);
     BeamImageSettings picture;
     picture.camera = beside_the_pool();
     picture.optics = settings.optics;
+    picture.reduction = reduction;
     Beams beams;
     BeamImage image;
     make_beams(settings, surface, beams);
@@ -75,9 +76,12 @@ void register_beams() {
         benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMillisecond)->UseRealTime();
     };
     for (const int n : {32, 64, 128}) {
-        add(fmt::format("beams_image/cpu/{}/900x600", n), [n](benchmark::State& s) { beams_image(s, n); });
+        add(fmt::format("beams_image/cpu/{}/900x600", n), [n](benchmark::State& s) { beams_image(s, n, 1); });
         add(fmt::format("beams_make/cpu/{}", n), [n](benchmark::State& s) { make_only(s, n); });
     }
+    for (const int reduction : {2, 4})
+        add(fmt::format("beams_image_reduced/cpu/128/900x600/{}", reduction),
+            [reduction](benchmark::State& s) { beams_image(s, 128, reduction); });
     add("beams_volume/cpu/128x128x128", [](benchmark::State& s) { beams_volume(s, {128, 128, 128}); });
 }
 

@@ -223,6 +223,39 @@ TEST(BeamImage, APictureIsTheSumOverPlacesInTheWater) {
     EXPECT_LT(std::sqrt(difference / square), 0.01);
 }
 
+TEST(BeamImage, FewerRaysEnlargedStayClose) {
+    // Edges of the pool included; odd sizes do not divide.
+    for (const glm::ivec2 size : {glm::ivec2{360, 240}, {361, 239}}) {
+        Shafts shafts(128);
+        shafts.image.camera.size = size;
+        const Field<float> full = shafts.draw();
+        for (const int reduction : {2, 3, 4}) {
+            shafts.image.reduction = reduction;
+            const double error = rmse(shafts.draw(), full);
+            RecordProperty("rmse_percent_" + std::to_string(size.x) + "_" + std::to_string(reduction),
+                           std::to_string(100 * error));
+            EXPECT_LT(error, 0.02 * reduction);
+        }
+    }
+}
+
+TEST(BeamImage, FlatWaterSurvivesEnlarging) {
+    // What is left is where the ways through the water crease, a line of pixels wide.
+    FlatPool pool({64, 64}, 90, 0);
+    pool.image.camera.position_m = {.4, 1.3, -.7};
+    pool.image.camera.target_m = {9, 8, -2.6};
+    pool.image.reduction = 2;
+    double last = 2;
+    for (const int k : {1, 2, 4}) {
+        pool.image.camera.size = {90 * k, 60 * k};
+        const double residual = residual_percent(pool, pool.draw());
+        RecordProperty("residual_percent_" + std::to_string(90 * k), std::to_string(residual));
+        EXPECT_LT(residual, 0.75 * last);
+        last = residual;
+    }
+    EXPECT_LT(last, 0.5);
+}
+
 TEST(BeamImage, AlongTheLightUnderWavesNoRayIsLost) {
     // Towards the sun rays run along the beams, where sections are ill defined.
     const Grid grid = make_grid(128, 128, 4, 4);
