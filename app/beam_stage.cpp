@@ -15,7 +15,14 @@ BeamStage::BeamStage(const Scenario& scenario) : scenario_(scenario) {
 void BeamStage::compute(const Surface& surface) {
     make_beams(beam_settings(scenario_), surface, beams_);
     if (scenario_.beams->volume_cells) fill_volume(beams_, *scenario_.beams->volume_cells, volume_);
-    if (scenario_.camera) draw_beams(beam_image_settings(scenario_), beams_, image_);
+    if (scenario_.camera) draw(surface);
+}
+
+void BeamStage::draw(const Surface& surface) {
+    const BeamImageSettings settings = beam_image_settings(scenario_);
+    if (!scenario_.beams->refine_below) return draw_beams(settings, beams_, image_);
+    make_refined_beams(beam_settings(scenario_), *scenario_.beams->refine_below, surface, refined_);
+    draw_beams(settings, refined_, image_);
 }
 
 void BeamStage::add_frame() {

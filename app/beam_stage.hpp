@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "caustics/beam_image.hpp"
+#include "caustics/beam_refine.hpp"
 #include "caustics/beam_volume.hpp"
 #include "scenarios/scenario.hpp"
 
@@ -54,11 +54,13 @@ class BeamStage {
     struct Moments {
         double count = 0, sum = 0, squares = 0, cubes = 0, flashes = 0;
     };
+    void draw(const Surface& surface);
     void add_volume();
     void add_slice(int k);
 
     const Scenario& scenario_;
     Beams beams_;
+    RefinedBeams refined_;
     BeamVolume volume_;
     BeamImage image_;
     BeamRecord record_;

@@ -82,6 +82,7 @@ struct BeamsSection {
     std::optional<glm::dvec2> centre_m;      ///< of the grid, at still water along the sun's rays; none: the domain's
     std::optional<glm::dvec2> size_m;        ///< none: all that lights the domain
     std::optional<glm::ivec3> volume_cells;  ///< none: no fields in the water
+    std::optional<double> refine_below;      ///< share of make_refined_beams(), for pictures; none: one grid
 };
 
 /// A picture of the light that the water scatters.

@@ -67,6 +67,13 @@ void describe_beams(Visitor& v, BeamsSection& s) {
     v.value({"volume_cells", "", "Cells of the fields of irradiance in the water along x, y and z.", counts, false,
              "no fields"},
             &s.volume_cells);
+    v.value({"refine_below",
+             "",
+             "For pictures, a grid twice as fine where beams shrink to less than this share of their section.",
+             {.low = 0, .high = 1, .excludes_low = true, .excludes_high = true},
+             false,
+             "one grid"},
+            &s.refine_below);
 }
 
 void describe_camera(Visitor& v, CameraSection& s) {

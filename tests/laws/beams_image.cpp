@@ -5,6 +5,7 @@
 
 #include "caustics/beam_image.hpp"
 #include "caustics/beam_point.hpp"
+#include "caustics/beam_refine.hpp"
 #include "caustics/kernels/optics.hpp"
 #include "caustics/kernels/phase.hpp"
 #include "tests/support/surfaces.hpp"
@@ -221,6 +222,53 @@ TEST(BeamImage, APictureIsTheSumOverPlacesInTheWater) {
             square += expected * expected;
         }
     EXPECT_LT(std::sqrt(difference / square), 0.01);
+}
+
+/// A few crests on otherwise flat water, whose light alone converges.
+SurfacePoint crests(glm::dvec2 at) {
+    SurfacePoint sum;
+    for (const glm::dvec2 centre : {glm::dvec2{.6, .7}, {1.4, 1.3}}) {
+        const double r2 = glm::dot(at - centre, at - centre), width2 = .006;
+        const double bump = .004 * std::exp(-r2 / (2 * width2));
+        sum.elevation_m += bump;
+        sum.slope -= bump / width2 * (at - centre);
+    }
+    return sum;
+}
+
+TEST(BeamImage, RefiningWhereLightConvergesCostsLessThanTheFinerGrid) {
+    const Surface surface = sample(make_grid(256, 256, 2, 2), walls, crests);
+    BeamSettings s;
+    s.grid = {32, 32};
+    s.depth_m = 3;
+    s.sun = {75, 0, 1};
+    s.optics.scattering_per_m = .05;
+    BeamImageSettings picture;
+    picture.optics = s.optics;
+    picture.camera = {{1, -3, -1.5}, {1, 1, -1.5}, 50, {180, 120}};
+    RefinedBeams refined;
+    make_refined_beams(s, .9, surface, refined);
+    EXPECT_GT(refined.refined_cells, 0);
+    EXPECT_LT(refined.refined_cells, 512);
+    BeamImage of_refined, of_coarse, of_fine;
+    draw_beams(picture, refined, of_refined);
+    Beams beams;
+    make_beams(s, surface, beams);
+    draw_beams(picture, beams, of_coarse);
+    s.grid = {64, 64};
+    make_beams(s, surface, beams);
+    draw_beams(picture, beams, of_fine);
+    const double error = rmse(of_refined.radiance, of_fine.radiance);
+    RecordProperty("rmse_percent_refined", std::to_string(100 * error));
+    RecordProperty("rmse_percent_coarse", std::to_string(100 * rmse(of_coarse.radiance, of_fine.radiance)));
+    RecordProperty("sections_of_fine", std::to_string(double(of_refined.counts.sections) / of_fine.counts.sections));
+    EXPECT_LT(error, 0.5 * rmse(of_coarse.radiance, of_fine.radiance));
+    EXPECT_LT(of_refined.counts.sections, 0.8 * of_fine.counts.sections);
+    double flux = 0, all = 0;
+    for (const Beams* b : {&refined.coarse, &refined.fine})
+        for (const float f : b->flux.values()) flux += f;
+    for (const float f : beams.flux.values()) all += f;
+    EXPECT_NEAR(flux / all, 1, 1e-4) << "each cell's light is in one of both grids";
 }
 
 TEST(BeamImage, FewerRaysEnlargedStayClose) {
