@@ -32,7 +32,7 @@ struct Chords {
 /// A cell's numbers that do not change over the picture.
 struct Constants {
     alignas(64) float per_row[cell_forms];
-    std::array<float, 2> lid_per_row, lid_distance, power;
+    std::array<float, 2> lid_distance, power;
     float lowest_lid, above, path, extinction;
 };
 
@@ -40,7 +40,6 @@ struct Constants {
 struct Section {
     const Constants& constant;
     const float* at;
-    std::array<float, 2> lid_at;
 
     float number(int form, float row) const { return at[form] + constant.per_row[form] * row; }
     f32::EdgeNumbers edge(int k, float row) const {
@@ -93,14 +92,13 @@ int meet(const Section& s, const Rays& rays, const PhaseFunction& phase, Chords&
 /// Cuts the chords of one beam at their rays' ends and at the surface.
 inline void cut(const Section& s, const Rays& rays, int beam, Chords::OfBeam& chords) {
     const float* __restrict near = rays.near, * __restrict far = rays.far;
-    const float lid_at = s.lid_at[beam], per_row = s.constant.lid_per_row[beam];
     const float distance = s.constant.lid_distance[beam];
 #pragma GCC ivdep
     for (int l = 0; l < lanes; ++l) {
-        const float speed = lid_at + static_cast<float>(l) * per_row;
-        const float lid = distance / (f32::abs(speed) < 1e-12F ? 1e-12F : speed);
-        const float from = speed < 0 ? f32::max(near[l], lid) : near[l];
-        const float to = speed < 0 ? far[l] : f32::min(far[l], lid);
+        const float speed = s.number(lid + beam, static_cast<float>(l));
+        const float cover = distance / (f32::abs(speed) < 1e-12F ? 1e-12F : speed);
+        const float from = speed < 0 ? f32::max(near[l], cover) : near[l];
+        const float to = speed < 0 ? far[l] : f32::min(far[l], cover);
         const float begin = chords.begin[l], end = chords.end[l];
         chords.density[l] *= f32::part_within(begin, end, from, to);
         chords.begin[l] = f32::clamp(begin, from, to);
@@ -152,17 +150,14 @@ void add_up_finely(const Section& s, const Rays& rays, const PhaseFunction& phas
 /// done.
 class BlockQueue {
   public:
-    BlockQueue(const CellView& v, const ViewRays& rays, float scattering, float extinction) : rays_(rays), view_(v) {
+    BlockQueue(const CellView& v, const ViewRays& rays, float scattering, float extinction) {
         for (int f = 0; f < cell_forms; ++f) {
             at_[f] = glm::dot(v.form[f], rays.corner);
             per_column_[f] = glm::dot(v.form[f], rays.right);
             constant_.per_row[f] = glm::dot(v.form[f], rays.up);
         }
-        for (int beam = 0; beam < 2; ++beam) {
-            constant_.lid_per_row[beam] = glm::dot(v.lid[beam].form, rays.up);
-            constant_.lid_distance[beam] = v.lid[beam].distance;
-            constant_.power[beam] = v.lid[beam].power * scattering;
-        }
+        constant_.lid_distance = v.lid_distance;
+        constant_.power = {v.power[0] * scattering, v.power[1] * scattering};
         constant_.lowest_lid = v.lowest_lid;
         constant_.above = v.above;
         constant_.path = v.path;
@@ -175,8 +170,6 @@ class BlockQueue {
         const float c = static_cast<float>(column), r = static_cast<float>(row);
         for (int f = 0; f < cell_forms; ++f)
             block_at_[count_][f] = at_[f] + c * per_column_[f] + r * constant_.per_row[f];
-        const glm::vec3 ray = rays_.corner + c * rays_.right + r * rays_.up;
-        lid_at_[count_] = {glm::dot(view_.lid[0].form, ray), glm::dot(view_.lid[1].form, ray)};
         block_rays_[count_++] = rays;
     }
 
@@ -203,15 +196,12 @@ class BlockQueue {
   private:
     static constexpr int capacity = 48;
 
-    Section section(int k) const { return {constant_, block_at_[k], lid_at_[k]}; }
+    Section section(int k) const { return {constant_, block_at_[k]}; }
 
-    const ViewRays& rays_;
-    const CellView& view_;
     Constants constant_;
     alignas(64) float at_[cell_forms];
     alignas(64) float per_column_[cell_forms];
     alignas(64) float block_at_[capacity][cell_forms];
-    std::array<float, 2> lid_at_[capacity];
     Rays block_rays_[capacity];
     Chords chords_[capacity];
     int count_ = 0;

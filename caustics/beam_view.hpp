@@ -37,20 +37,15 @@ enum CellForm {
     speed_y,
     down,
     towards,  ///< |r| times the cosine between the light's way and the way to the camera
-    cell_forms,
-};
-
-/// What lies over one of the two beams.
-struct BeamLid {
-    glm::vec3 form{0, 0, 0};  ///< dot with r: speed towards the outside of the triangle on the surface
-    float distance = 0;       ///< of the camera inside the triangle's plane, m
-    float power = 0;          ///< twice the flux over the cosine between light and vertical, W; 0 where discarded
+    lid,      ///< of both beams: speed towards the outside of the triangle on the surface
+    cell_forms = lid + 2,
 };
 
 /// What a cell is to one camera. Its edges are counted around it; beam 0 has edges 0, 1, 2, beam 1 has 0, 2, 3.
 struct CellView {
-    std::array<glm::vec3, cell_forms> form;  ///< dot with r
-    std::array<BeamLid, 2> lid;
+    std::array<glm::vec3, cell_forms> form;   ///< dot with r
+    std::array<float, 2> lid_distance{0, 0};  ///< of the camera inside the triangle's plane, m
+    std::array<float, 2> power{0, 0};  ///< twice the flux over the light's cosine to the vertical, W; 0 where discarded
     float lowest_lid = 0;  ///< depth of the lowest corner on the surface below the camera, m; negative above it
     float above = 0;       ///< of the surface over the camera, m
     float path = 1;
@@ -78,7 +73,7 @@ inline std::array<glm::vec3, 8> beam_corners(const Beams& b, const CellCopy& cop
 }
 
 inline CellView view_of(const Beams& b, const CellCopy& copy, const std::array<glm::vec3, 8>& corners) {
-    CellView view;
+    CellView view{};
     const std::array<glm::ivec2, 4> at = corners_around(copy);
     std::array<f32::BeamEdge, 4> edge;
     glm::vec2 mean{0, 0};  // travel
@@ -111,7 +106,9 @@ inline CellView view_of(const Beams& b, const CellCopy& copy, const std::array<g
         const float flux = b.flux(2 * copy.column + beam, copy.row);
         if (!(flux > 0)) continue;
         const glm::vec3 normal = glm::normalize(glm::cross(v1, v2));
-        view.lid[beam] = {{normal.x, normal.y, -normal.z}, glm::dot(normal, corners[0]), 2 * flux * view.path};
+        view.form[lid + beam] = {normal.x, normal.y, -normal.z};
+        view.lid_distance[beam] = glm::dot(normal, corners[0]);
+        view.power[beam] = 2 * flux * view.path;
     }
     return view;
 }
