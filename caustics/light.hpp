@@ -36,7 +36,7 @@ struct WaterOptics {
     bool fresnel = true;                  ///< false: all light enters
     double absorption_per_m = 0;          ///< >= 0
     double scattering_per_m = 0;          ///< >= 0
-    Phase phase;
+    Phase phase{};
 
     double extinction_per_m() const { return absorption_per_m + scattering_per_m; }
 };
