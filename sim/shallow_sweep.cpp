@@ -10,6 +10,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "sim/denormals.hpp"
 #include "sim/kernels/shallow_water.hpp"
 
 namespace waterlight {
@@ -475,6 +476,7 @@ ShallowPeak ShallowSweep<Real>::in_bands(const ShallowStage<Real>& stage, const 
     const auto edge = [&](int n) { return static_cast<int>(static_cast<std::int64_t>(ny_) * n / count); };
 #pragma omp parallel num_threads(count)
     {
+        const DenormalsAreZero guard;
 #pragma omp for schedule(static, 1)
         for (int b = 0; b < count; ++b) bands[static_cast<std::size_t>(b)].prepare(edge(b), edge(b + 1));
 #pragma omp for schedule(static, 1)
