@@ -69,6 +69,9 @@ class TruthStage final : public FloorStage {
     double error_ = 0;
 };
 
+/// Whether there is something to compute on a Vulkan device.
+bool has_vulkan_part(const Scenario& scenario) { return scenario.floor || has_vulkan_model(scenario); }
+
 bool is_truth(const Scenario& scenario) { return scenario.floor && scenario.floor->method == FloorMethod::truth; }
 
 }  // namespace
@@ -96,6 +99,8 @@ BackendDecision choose_backend(const DeviceWish& wish, const Scenario& scenario)
         return because("the truth is computed in double precision on the CPU");
     }
     if (wish.backend == Backend::cpu) return because("stated on the command line");
+    if (!wants_vulkan && !has_vulkan_part(scenario))
+        return because("auto: no part of this scenario has a Vulkan back-end");
     if (!wants_vulkan && !gpu::has_real_gpu(gpu::survey()))
         return because("auto: no Vulkan device is a GPU, and a CPU computes faster by itself than through Vulkan");
     auto context = std::make_shared<gpu::Context>(gpu::ContextSettings{wish.device, wish.validation});

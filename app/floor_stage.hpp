@@ -1,4 +1,4 @@
-// The part of a run that turns surfaces into floor maps: by which method, on which back-end, and why.
+// Where a run computes, and why; and the part of it that turns surfaces into floor maps.
 #pragma once
 
 #include <memory>
@@ -28,9 +28,9 @@ struct BackendDecision {
     std::shared_ptr<gpu::Context> context;  ///< where it is vulkan
 };
 
-/// automatic takes vulkan where a GPU is there or a device is named, else cpu: a CPU that plays a GPU is slower than
-/// the CPU itself. Throws InputError where the wish contradicts itself or the scenario, gpu::Error where there is no
-/// device.
+/// Of the floor map and of the shallow-water model. automatic takes vulkan where one of them is there and a GPU is too,
+/// or a device is named, else cpu: a CPU that plays a GPU is slower than the CPU itself. Throws InputError where the
+/// wish contradicts itself or the scenario, gpu::Error where there is no device.
 BackendDecision choose_backend(const DeviceWish& wish, const Scenario& scenario);
 
 /// A floor mapper that can say how wrong it is.

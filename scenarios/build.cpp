@@ -5,6 +5,7 @@
 #include "sim/airy.hpp"
 #include "sim/linear.hpp"
 #include "sim/prescribed.hpp"
+#include "sim/shallow_water_vulkan.hpp"
 
 namespace waterlight {
 
@@ -49,6 +50,11 @@ PrescribedSettings prescribed_settings(const Scenario& s) {
     return settings;
 }
 
+std::unique_ptr<ShallowWaterModel> shallow_model(const Scenario& s, const std::shared_ptr<gpu::Context>& context) {
+    const ShallowWaterSettings settings = shallow_settings(s);
+    return context ? make_shallow_water_vulkan(settings, context) : make_shallow_water<float>(settings);
+}
+
 template <class Model>
 BuiltModel built(std::unique_ptr<Model> model, const Model* BuiltModel::*own) {
     BuiltModel result;
@@ -59,7 +65,9 @@ BuiltModel built(std::unique_ptr<Model> model, const Model* BuiltModel::*own) {
 
 }  // namespace
 
-BuiltModel build_model(const Scenario& scenario, const std::shared_ptr<gpu::Context>& /*context*/) {
+bool has_vulkan_model(const Scenario& scenario) { return resolve_model(scenario).model == ModelChoice::shallow_water; }
+
+BuiltModel build_model(const Scenario& scenario, const std::shared_ptr<gpu::Context>& context) {
     switch (resolve_model(scenario).model) {
         case ModelChoice::linear: {
             BuiltModel result;
@@ -67,7 +75,7 @@ BuiltModel build_model(const Scenario& scenario, const std::shared_ptr<gpu::Cont
             return result;
         }
         case ModelChoice::shallow_water:
-            return built(make_shallow_water<float>(shallow_settings(scenario)), &BuiltModel::shallow);
+            return built(shallow_model(scenario, context), &BuiltModel::shallow);
         case ModelChoice::prescribed:
             return built(make_prescribed(prescribed_settings(scenario)), &BuiltModel::prescribed);
         default:

@@ -24,8 +24,11 @@ struct BuiltModel {
     std::string sea;                              ///< what a spectrum or a buoy says about itself
 };
 
+/// Whether the scenario's wave model can compute on a Vulkan device.
+bool has_vulkan_model(const Scenario& scenario);
+
 /// `context` is the device that was chosen, or null for the CPU: models that can then compute there. Throws InputError
-/// where a data file cannot be used.
+/// where a data file cannot be used, gpu::Error where the device fails or cannot hold the model.
 BuiltModel build_model(const Scenario& scenario, const std::shared_ptr<gpu::Context>& context = nullptr);
 
 }  // namespace waterlight

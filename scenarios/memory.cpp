@@ -16,7 +16,7 @@ namespace {
 // elevations and depths that wait to be written.
 constexpr double linear_cell = 92;
 constexpr double airy_cell = 100;
-constexpr double shallow_water_cell = 190;
+constexpr double shallow_water_cell = 260;
 constexpr double prescribed_cell = 60;
 // Bytes a pixel: landed samples, the map, four that wait to be written, a picture.
 constexpr double two_pass_pixel = 56;

@@ -128,6 +128,23 @@ TEST_F(ShallowOutputs, ReportTellsWhatIsConservedAndWhatIsNot) {
     EXPECT_TRUE(report()["energy_drift"].is_null()) << "friction takes energy";
 }
 
+TEST_F(ShallowOutputs, TheTruthBesideItIsOfTheCpu) {
+    const std::vector<std::string> truth{"--set", "caustics.floor={method=\"truth\", pixels=[8,8]}",
+                                         "--set", "waves.duration_s=0.5",
+                                         "--set", "output.every_s=0.1"};
+    std::vector<std::string> on_vulkan = truth;
+    on_vulkan.insert(on_vulkan.end(), {"--backend", "vulkan"});
+    const Outcome refused = run(on_vulkan);
+    EXPECT_EQ(refused.exit, 2);
+    EXPECT_NE(refused.output.find("--backend: found vulkan beside method = \"truth\"; allowed: auto or cpu"),
+              std::string::npos)
+        << refused.output;
+    const Outcome taken = run(truth);
+    ASSERT_EQ(taken.exit, 0) << taken.output;
+    EXPECT_EQ(report()["backend"]["name"], "cpu");
+    EXPECT_EQ(report()["backend"]["reason"], "the truth is computed in double precision on the CPU");
+}
+
 TEST_F(ShallowOutputs, ABadDataFileIsNamedWithItsLine) {
     const fs::path wave = folder_.write("wave.txt", "time elevation\n0 0\n1 0.1\n0.5 0.2\n");
     const Outcome outcome = run({"--set", "waves.boundary.west=inflow", "--set",
