@@ -25,7 +25,7 @@ std::vector<std::string> probe_columns(const Scenario& scenario) {
     std::vector<std::string> columns;
     for (const Probe& probe : scenario.probes) {
         columns.push_back(fmt::format("{}.elevation_m", probe.name));
-        if (scenario.floor) columns.push_back(fmt::format("{}.irradiance_w_m2", probe.name));
+        if (scenario.floor || probe.depth_m) columns.push_back(fmt::format("{}.irradiance_w_m2", probe.name));
     }
     return columns;
 }
@@ -80,8 +80,8 @@ fs::path made_folder(fs::path folder) {
 
 /// Names that only a run of ours gives to files.
 constexpr const char* our_names =
-    "(surface|floor)\\.pvd|(surface/surface|floor/floor)_[0-9]{6,}\\.vti|"
-    "images/(elevation|irradiance)(16)?_[0-9]{6,}\\.(png|exr)|probes\\.csv|extremes\\.vti|runup\\.csv";
+    "(surface|floor|volume)\\.pvd|(surface/surface|floor/floor|volume/volume)_[0-9]{6,}\\.vti|"
+    "images/(elevation|irradiance|radiance)(16)?_[0-9]{6,}\\.(png|exr)|probes\\.csv|extremes\\.vti|runup\\.csv";
 
 void remove_stale(const fs::path& folder, const std::set<fs::path>& written) {
     const std::regex ours(our_names);
@@ -89,7 +89,7 @@ void remove_stale(const fs::path& folder, const std::set<fs::path>& written) {
         return std::regex_match(path.lexically_relative(folder).generic_string(), ours);
     };
     std::vector<fs::path> stale;
-    for (const fs::path& sub : {folder, folder / "surface", folder / "floor", folder / "images"}) {
+    for (const fs::path& sub : {folder, folder / "surface", folder / "floor", folder / "volume", folder / "images"}) {
         std::error_code ignored;
         for (const fs::directory_entry& entry : fs::directory_iterator(sub, ignored))
             if (is_ours(entry.path()) && !written.contains(entry.path())) stale.push_back(entry.path());
@@ -108,6 +108,7 @@ std::size_t FrameFiles::bytes() const {
         surface.elevation.size() + surface.slope_x.size() + surface.slope_y.size() + irradiance.size() + shown.size();
     for (const auto* field : {&surface.velocity_x, &surface.velocity_y, &surface.depth})
         if (*field) count += (*field)->size();
+    count += plane_irradiance.size() + scalar_irradiance.size() + radiance.size();
     return count * sizeof(float);
 }
 
@@ -118,7 +119,11 @@ Outputs::Outputs(fs::path folder, const Scenario& scenario, double still_irradia
       wet_m_(scenario.waves.wet_m.value_or(ShallowWaterSettings{}.wet_m)),
       irradiance_max_(settings_.irradiance_max_w_m2.value_or(still_irradiance > 0 ? 3 * still_irradiance : 1)),
       surface_series_(folder_, "surface", settings_.compression),
-      floor_series_(folder_, "floor", settings_.compression) {
+      floor_series_(folder_, "floor", settings_.compression),
+      volume_series_(folder_, "volume", settings_.compression),
+      has_volume_(scenario.beams && scenario.beams->volume_cells),
+      has_picture_(scenario.camera.has_value()),
+      radiance_max_(scenario.camera ? scenario.camera->radiance_max : std::nullopt) {
     if (scenario.floor) plan_ = floor_settings(scenario).plan;
     if (scenario.probes.empty()) return;
     const std::vector<std::string> columns = probe_columns(scenario);
@@ -126,10 +131,17 @@ Outputs::Outputs(fs::path folder, const Scenario& scenario, double still_irradia
     written_.insert(folder_ / "probes.csv");
 }
 
-void Outputs::push(const Surface& surface, const FloorMap* map, std::vector<double> probes) {
+void Outputs::push(const FrameView& view, std::vector<double> probes) {
+    const Surface& surface = view.surface;
     FrameFiles frame;
     frame.surface = copy_of(surface, settings_, depth_m_);
-    if (map) frame.irradiance = map->irradiance.clone();
+    if (view.floor) frame.irradiance = view.floor->irradiance.clone();
+    if (view.volume && settings_.wants("vti")) {
+        frame.volume_cells = view.volume->cells;
+        frame.plane_irradiance = view.volume->plane_irradiance.clone();
+        frame.scalar_irradiance = view.volume->scalar_irradiance.clone();
+    }
+    if (view.picture) frame.radiance = view.picture->radiance.clone();
     const bool pictures = settings_.wants("png") || settings_.wants("png16");
     if (pictures && surface.depth) frame.shown = wet_part(surface, wet_m_);
     frame.probes = std::move(probes);
@@ -155,19 +167,27 @@ void Outputs::push_end(const Grid& grid, double time_s, const Field<float>& bed_
     });
 }
 
+void Outputs::write_fields(const FrameFiles& frame) {
+    const double time_s = frame.surface.time_s;
+    VtiFrame fields = surface_frame(frame.surface);
+    if (!frame.surface.slope_x.empty())
+        fields.arrays.push_back({"slope", {frame.surface.slope_x.values(), frame.surface.slope_y.values(), {}}});
+    written_.insert(surface_series_.write(fields));
+    written_.insert(folder_ / "surface.pvd");
+    if (plan_) {
+        written_.insert(floor_series_.write(floor_frame(*plan_, depth_m_, time_s, frame.irradiance)));
+        written_.insert(folder_ / "floor.pvd");
+    }
+    if (has_volume_) {
+        written_.insert(volume_series_.write(volume_frame({frame.surface.grid, depth_m_, time_s}, frame.volume_cells,
+                                                          frame.plane_irradiance, frame.scalar_irradiance)));
+        written_.insert(folder_ / "volume.pvd");
+    }
+}
+
 void Outputs::write(const FrameFiles& frame) {
     const double time_s = frame.surface.time_s;
-    if (settings_.wants("vti")) {
-        VtiFrame fields = surface_frame(frame.surface);
-        if (!frame.surface.slope_x.empty())
-            fields.arrays.push_back({"slope", {frame.surface.slope_x.values(), frame.surface.slope_y.values(), {}}});
-        written_.insert(surface_series_.write(fields));
-        written_.insert(folder_ / "surface.pvd");
-        if (plan_) {
-            written_.insert(floor_series_.write(floor_frame(*plan_, depth_m_, time_s, frame.irradiance)));
-            written_.insert(folder_ / "floor.pvd");
-        }
-    }
+    if (settings_.wants("vti")) write_fields(frame);
     if (settings_.wants("png")) write_pictures(frame);
     if (settings_.wants("png16")) write_greys(frame);
     if (settings_.wants("exr")) write_exrs(frame);
@@ -192,6 +212,7 @@ void Outputs::write_pictures(const FrameFiles& frame) {
                                     .pitch_m = {grid.dx_m, grid.dy_m},
                                     .missing = ground_colour};
     write_picture(image("elevation", "png"), frame.shown.empty() ? frame.surface.elevation : frame.shown, elevation);
+    if (has_picture_) write_radiance(frame);
     if (!plan_) return;
     const PictureSettings irradiance{.map = ColourMap::viridis,
                                      .range = {0, irradiance_max_},
@@ -200,6 +221,18 @@ void Outputs::write_pictures(const FrameFiles& frame) {
                                      .time_s = time_s,
                                      .pitch_m = plan_->pitch_m};
     write_picture(image("irradiance", "png"), frame.irradiance, irradiance);
+}
+
+void Outputs::write_radiance(const FrameFiles& frame) {
+    for (const float r : frame.radiance.values()) radiance_so_far_ = std::max<double>(radiance_so_far_, r);
+    const double most = radiance_max_.value_or(radiance_so_far_ > 0 ? radiance_so_far_ : 1);
+    write_picture(image("radiance", "png"), frame.radiance,
+                  {.map = ColourMap::deep_water,
+                   .range = {0, most},
+                   .quantity = "Scattered light",
+                   .unit = "W/(m\u00b2 sr)",
+                   .time_s = frame.surface.time_s,
+                   .length_bar = false});
 }
 
 ValueRange Outputs::elevation_range(const FrameFiles& frame) {
@@ -221,6 +254,7 @@ void Outputs::write_exrs(const FrameFiles& frame) {
     const Grid& grid = frame.surface.grid;
     const double time_s = frame.surface.time_s;
     write_exr(image("elevation", "exr"), frame.surface.elevation, {"elevation", "m", time_s, {grid.dx_m, grid.dy_m}});
+    if (has_picture_) write_exr(image("radiance", "exr"), frame.radiance, {"radiance", "W/(m2 sr)", time_s, {1, 1}});
     if (plan_) write_exr(image("irradiance", "exr"), frame.irradiance, {"irradiance", "W/m2", time_s, plan_->pitch_m});
 }
 
@@ -238,6 +272,7 @@ std::vector<std::string> Outputs::guide() const {
         add(folder_ / "images" / "*.png", "pictures: any image viewer");
     if (settings_.wants("vti")) {
         add(folder_ / "surface.pvd", "surface in time: ParaView, or python3-vtk9");
+        if (has_volume_) add(folder_ / "volume.pvd", "irradiance in the water in time: ParaView, or python3-vtk9");
         if (plan_) add(folder_ / "floor.pvd", "floor irradiance in time: ParaView, or python3-vtk9");
     }
     if (settings_.wants("exr")) add(folder_ / "images" / "*.exr", "full precision: any OpenEXR viewer");

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "caustics/beam_image.hpp"
+#include "caustics/beam_volume.hpp"
 #include "caustics/floor.hpp"
 #include "export/probes.hpp"
 #include "export/queue.hpp"
@@ -20,11 +22,22 @@
 
 namespace waterlight {
 
+/// What a frame shows; what the run does not compute is nullptr.
+struct FrameView {
+    const Surface& surface;
+    const FloorMap* floor = nullptr;
+    const BeamVolume* volume = nullptr;
+    const BeamImage* picture = nullptr;
+};
+
 /// One frame as it is handed over to be written: copies that the run may then forget.
 struct FrameFiles {
     Surface surface;
     Field<float> irradiance;  ///< empty without a floor map
     Field<float> shown;       ///< elevation as pictures show it: NaN on dry ground; empty where there is none
+    glm::ivec3 volume_cells{0, 0, 0};
+    Field<float> plane_irradiance, scalar_irradiance;  ///< in the water; empty without fields
+    Field<float> radiance;                             ///< empty without a camera
     std::vector<double> probes;
 
     std::size_t bytes() const;
@@ -37,7 +50,7 @@ class Outputs {
     Outputs(std::filesystem::path folder, const Scenario& scenario, double still_irradiance);
 
     /// Copies what it needs and returns; waits only while the queue is full.
-    void push(const Surface& surface, const FloorMap* map, std::vector<double> probes);
+    void push(const FrameView& view, std::vector<double> probes);
     /// Between frames: a row of probes.csv.
     void push_row(double time_s, std::vector<double> probes);
     /// At the end: how far the water came, and extremes.vti where the scenario asks for it. Borrows the fields until
@@ -54,7 +67,9 @@ class Outputs {
 
   private:
     void write(const FrameFiles& frame);
+    void write_fields(const FrameFiles& frame);
     void write_pictures(const FrameFiles& frame);
+    void write_radiance(const FrameFiles& frame);
     void write_greys(const FrameFiles& frame);
     void write_exrs(const FrameFiles& frame);
     /// Of the pictures: as the scenario says, else the largest so far, so that colours do not flicker.
@@ -70,6 +85,11 @@ class Outputs {
     std::optional<ValueRange> elevation_range_;
     VtiSeries surface_series_;
     VtiSeries floor_series_;
+    VtiSeries volume_series_;
+    bool has_volume_;
+    bool has_picture_;
+    std::optional<double> radiance_max_;  ///< of the pictures: as the scenario says, else the largest so far
+    double radiance_so_far_ = 0;
     std::optional<ProbeTable> probes_;
     bool has_end_ = false;
     int frame_ = 0;

@@ -17,6 +17,29 @@ CheckResult bound(const Check& check, double value, const char* sign, double lim
     return {check.quantity, value, fmt::format("{} {}", sign, limit), limit, 0, pass};
 }
 
+void add_slices(const std::vector<SliceStatistics>& slices, std::map<std::string, double>& q) {
+    if (slices.empty()) return;
+    const auto most = [&](auto what) {
+        return *std::max_element(slices.begin(), slices.end(),
+                                 [what](const auto& a, const auto& b) { return a.*what < b.*what; });
+    };
+    q["volume.mean_irradiance"] = slices.back().mean;
+    q["volume.max_cv"] = most(&SliceStatistics::cv).cv;
+    q["volume.max_cv_depth"] = most(&SliceStatistics::cv).depth_m;
+    q["volume.max_skewness"] = most(&SliceStatistics::skewness).skewness;
+    q["volume.max_flash_fraction"] = most(&SliceStatistics::flash_fraction).flash_fraction;
+}
+
+void add_beams(const BeamRecord& beams, std::map<std::string, double>& q) {
+    q["beams.ledger_closure"] = beams.closure;
+    q["beams.discarded_fraction"] = beams.discarded_fraction;
+    q["volume.flux_error"] = beams.flux_error;
+    q["volume.brightest_depth"] = beams.brightest_depth_m;
+    add_slices(beams.slices, q);
+    q["camera.mean_radiance"] = beams.mean_radiance;
+    q["camera.max_radiance"] = beams.max_radiance;
+}
+
 }  // namespace
 
 double SeaRecord::significant_height_m() const {
@@ -60,6 +83,7 @@ std::map<std::string, double> quantities_of(const RunRecord& r) {
         q["floor.ledger_closure"] = r.floor->closure;
         q["floor.truth_error"] = r.floor->truth_error;
     }
+    if (r.beams) add_beams(*r.beams, q);
     for (const auto& [name, probe] : r.probes) {
         const std::string prefix = fmt::format("probe.{}.", name);
         q[prefix + "elevation"] = probe.elevation;

@@ -81,7 +81,8 @@ void Recorder::add_floor(const FloorMap& map, double error_estimate) {
 
 void Recorder::add_statistics(const FloorMap& map) { record_.floor->last = statistics_of(map.irradiance); }
 
-std::vector<double> Recorder::add_probes(const Surface& surface, const std::function<double(glm::dvec2)>& irradiance) {
+std::vector<double> Recorder::add_probes(const Surface& surface,
+                                         const std::function<double(const Probe&)>& irradiance) {
     std::vector<double> columns;
     for (const Probe& probe : scenario_.probes) {
         const auto [entry, is_first] = record_.probes.try_emplace(probe.name);
@@ -94,8 +95,8 @@ std::vector<double> Recorder::add_probes(const Surface& surface, const std::func
             ++p.late_frames;
         }
         columns.push_back(p.elevation);
-        const double light = irradiance ? irradiance(probe.at_m) : none;
-        if (scenario_.floor) columns.push_back(light);
+        const double light = irradiance ? irradiance(probe) : none;
+        if (scenario_.floor || probe.depth_m) columns.push_back(light);
         if (!irradiance && !is_first) continue;
         p.irradiance = light;
         p.max_irradiance = is_first ? light : std::max(p.max_irradiance, light);

@@ -21,7 +21,7 @@ class Recorder {
     void add_statistics(const FloorMap& map);
     /// Reads the probes; returns the columns of probes.csv. `irradiance` (W/m2 at a place on the floor) is empty where
     /// no map is made, and then NaN in the columns of a scenario with a floor; the first time of such a one has a map.
-    std::vector<double> add_probes(const Surface& surface, const std::function<double(glm::dvec2)>& irradiance);
+    std::vector<double> add_probes(const Surface& surface, const std::function<double(const Probe&)>& irradiance);
 
     RunRecord& record() { return record_; }
 

@@ -49,6 +49,50 @@ Json floor_json(const FloorRecord& floor, FloorMethod method) {
     return json;
 }
 
+/// What is extinguished is absorbed or scattered, in the proportion of the two coefficients.
+Json ledger_json(const BeamLedger& l, const WaterOptics& optics, double per) {
+    const double extinction = optics.extinction_per_m();
+    const double scattered = extinction > 0 ? l.extinguished_w * optics.scattering_per_m / extinction : 0;
+    return {{"incident_w", l.incident_w * per},
+            {"reflected_w", l.reflected_w * per},
+            {"absorbed_w", (l.extinguished_w - scattered) * per},
+            {"scattered_w", scattered * per},
+            {"floor_w", l.floor_w * per},
+            {"outside_w", l.outside_w * per},
+            {"discarded_w", l.discarded_w * per},
+            {"closure", l.closure()}};
+}
+
+Json slices_json(const std::vector<SliceStatistics>& slices) {
+    Json json = Json::array();
+    for (const SliceStatistics& s : slices)
+        json.push_back({{"depth_m", s.depth_m},
+                        {"mean_irradiance_w_m2", s.mean},
+                        {"cv", s.cv},
+                        {"skewness", s.skewness},
+                        {"flash_fraction", s.flash_fraction}});
+    return json;
+}
+
+Json beams_json(const BeamRecord& record, const Scenario& scenario, int frames) {
+    Json json{{"backend", "cpu"},
+              {"grid", {scenario.beams->grid.x, scenario.beams->grid.y}},
+              {"ledger",
+               {{"mean_over_frames", ledger_json(record.sum, scenario.optics, 1.0 / frames)},
+                {"last_frame", ledger_json(record.last_ledger, scenario.optics, 1)}}}};
+    if (scenario.beams->volume_cells)
+        json["volume"] = {{"flux_error", record.flux_error},
+                          {"brightest_depth_m", record.brightest_depth_m},
+                          {"slices", slices_json(record.slices)}};
+    if (scenario.camera)
+        json["camera"] = {{"mean_radiance_w_m2_sr", record.mean_radiance},
+                          {"max_radiance_w_m2_sr", record.max_radiance},
+                          {"beams", record.counts.beams},
+                          {"covered_pixels", record.counts.covered_pixels},
+                          {"sections", record.counts.sections}};
+    return json;
+}
+
 Json totals_json(const ShallowTotals& totals) {
     return {{"volume_m3", totals.volume_m3},
             {"momentum_x_kg_m_s", totals.momentum_x_kg_m_s},
@@ -73,7 +117,7 @@ Json shallow_json(const ShallowRecord& record) {
 Json wall_json(const StageTimes& wall) {
     return {{"waves", wall.waves},
             {"caustics.floor", wall.floor},
-            {"caustics.beams", 0.0},
+            {"caustics.beams", wall.beams},
             {"render", 0.0},
             {"export", wall.export_busy},
             {"export_waited", wall.export_blocked},
@@ -122,6 +166,7 @@ nlohmann::ordered_json report_json(const Scenario& scenario, const BackendDecisi
                           {"last_frame", ledger_json(record.floor->last_ledger, 1)}};
         json["floor"] = floor_json(*record.floor, scenario.floor->method);
     }
+    if (record.beams) json["beams"] = beams_json(*record.beams, scenario, record.frames);
     if (record.shallow) json["shallow_water"] = shallow_json(*record.shallow);
     json["mass_drift_m"] = record.waves.mass_drift_m;
     json["energy_drift"] = record.waves.energy_drift;

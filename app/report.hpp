@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/beam_stage.hpp"
 #include "app/floor_stage.hpp"
 #include "app/readings.hpp"
 #include "sim/runup.hpp"
@@ -20,6 +21,7 @@ namespace waterlight {
 struct StageTimes {
     double waves = 0;
     double floor = 0;
+    double beams = 0;
     double diagnostics = 0;
     double export_busy = 0;     ///< of the thread that writes
     double export_blocked = 0;  ///< that computing waited for it
@@ -86,6 +88,7 @@ struct RunRecord {
     StageTimes wall;
     WaveRecord waves;
     std::optional<FloorRecord> floor;
+    std::optional<BeamRecord> beams;
     std::optional<SeaRecord> sea;
     std::optional<ShallowRecord> shallow;
     std::map<std::string, ProbeRecord> probes;

@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <functional>
 #include <iterator>
+#include <limits>
 #include <nlohmann/json.hpp>
 
+#include "app/beam_stage.hpp"
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/readings.hpp"
@@ -99,13 +100,15 @@ class Run {
           backend_(choose_backend(options.device, scenario)),
           waves_(for_section(scenario, "waves", [&] { return build_model(scenario, backend_.context); })),
           floor_(scenario.floor ? make_floor_stage(scenario, waves_, backend_) : nullptr),
-          recorder_(scenario) {}
+          recorder_(scenario) {
+        if (scenario.beams) beams_.emplace(scenario);
+    }
 
     bool go() {
         const Clock::time_point start = Clock::now();
         const std::vector<Moment> moments = moments_of(scenario_);
         // The first frame is computed before a file is written: what is wrong with the scenario shows by then.
-        for_section(scenario_, "caustics.floor", [this] { compute(); });
+        for_section(scenario_, "caustics", [this] { compute(); });
         fs::create_directories(out_);
         fs::remove(out_ / "report.json");
         if (waves_.shallow) shallow_.emplace(scenario_, *waves_.shallow, *surface_);
@@ -149,6 +152,13 @@ class Run {
     void compute() {
         look();
         if (floor_) timed(wall().floor, [&] { floor_->compute(*surface_, map_); });
+        if (beams_) timed(wall().beams, [&] { beams_->compute(*surface_); });
+    }
+
+    /// As a probe reads it: in the water, or on the floor.
+    double irradiance_at(const Probe& probe) const {
+        if (probe.depth_m) return beams_->irradiance_at(probe.at_m, *probe.depth_m);
+        return floor_ ? floor_->irradiance_at(*surface_, map_, probe.at_m) : std::numeric_limits<double>::quiet_NaN();
     }
 
     /// What is refused once files are written is a failure of the run.
@@ -168,15 +178,16 @@ class Run {
             if (shallow_) shallow_->add_frame(*surface_);
             if (shallow_ && watched) shallow_->add_totals();
             recorder_.add_frame(time_s);
-            std::function<double(glm::dvec2)> irradiance;
             if (floor_) {
                 recorder_.add_floor(map_, floor_->error_estimate());
                 if (last) recorder_.add_statistics(map_);
-                irradiance = [this](glm::dvec2 at_m) { return floor_->irradiance_at(*surface_, map_, at_m); };
             }
-            probes = recorder_.add_probes(*surface_, irradiance);
+            if (beams_) beams_->add_frame();
+            probes = recorder_.add_probes(*surface_, [this](const Probe& probe) { return irradiance_at(probe); });
         });
-        outputs.push(*surface_, floor_ ? &map_ : nullptr, std::move(probes));
+        const BeamVolume* volume = beams_ ? beams_->volume() : nullptr;
+        const BeamImage* picture = beams_ ? beams_->image() : nullptr;
+        outputs.push({*surface_, floor_ ? &map_ : nullptr, volume, picture}, std::move(probes));
     }
 
     void record_row(double time_s, Outputs& outputs) {
@@ -204,6 +215,7 @@ class Run {
         RunRecord& record = recorder_.record();
         record.waves.model = waves_.model->name();
         record.waves.steps = waves_.model->steps();
+        if (beams_) record.beams = beams_->record();
         if (waves_.airy && !waves_.sea.empty()) record.sea = SeaRecord{waves_.airy->sea_coverage(), waves_.sea};
         const std::vector<CheckResult> checks = judge(scenario_.checks, quantities_of(record));
         write_json(out_ / "report.json", report_json(scenario_, backend_, record, checks));
@@ -240,6 +252,7 @@ class Run {
     BackendDecision backend_;
     BuiltModel waves_;
     std::unique_ptr<FloorStage> floor_;
+    std::optional<BeamStage> beams_;
     Recorder recorder_;
     std::optional<ShallowWatch> shallow_;
     const Surface* surface_ = nullptr;

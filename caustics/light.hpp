@@ -21,12 +21,22 @@ struct Sun {
     }
 };
 
+/// Where scattered light goes (kernels/phase.glsl).
+struct Phase {
+    enum class Type { henyey_greenstein, fournier_forand, pure_water };
+    Type type = Type::henyey_greenstein;
+    double g = 0.9;         ///< of Henyey & Greenstein, mean cosine, in (-1, 1)
+    double index = 1.10;    ///< of Fournier & Forand: of the particles, relative to the water, in (1, 1.35]
+    double slope = 3.5835;  ///< of Fournier & Forand: of the particles' sizes, in (3, 5); both as Petzold's average
+};
+
 /// The water as light feels it.
 struct WaterOptics {
     double refractive_index = 4.0 / 3.0;  ///< n >= 1
     bool fresnel = true;                  ///< false: all light enters
     double absorption_per_m = 0;          ///< >= 0
     double scattering_per_m = 0;          ///< >= 0
+    Phase phase{};
 
     double extinction_per_m() const { return absorption_per_m + scattering_per_m; }
 };

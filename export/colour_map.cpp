@@ -30,6 +30,28 @@ constexpr Table cool_warm{{
     {203, 62, 56},   {192, 40, 47},   {180, 4, 38},
 }};
 
+/// Our own: the colours of water from the dark of the depth to light, of rising lightness throughout.
+constexpr Table deep_water{{
+    {2, 8, 24},      {3, 12, 31},     {3, 16, 38},     {4, 19, 44},     {4, 23, 51},     {5, 27, 58},
+    {5, 32, 66},     {6, 38, 74},     {6, 44, 82},     {7, 50, 90},     {8, 56, 98},     {9, 63, 107},
+    {11, 72, 114},   {13, 81, 122},   {16, 90, 130},   {18, 99, 138},   {20, 108, 146},  {29, 119, 153},
+    {39, 129, 160},  {48, 140, 166},  {58, 151, 173},  {67, 161, 180},  {81, 171, 185},  {98, 181, 190},
+    {115, 190, 195}, {132, 200, 200}, {149, 210, 205}, {165, 218, 210}, {182, 226, 217}, {198, 233, 224},
+    {214, 240, 230}, {230, 247, 237}, {246, 254, 244},
+}};
+
+const Table& table_of(ColourMap map) {
+    switch (map) {
+        case ColourMap::cool_warm:
+            return cool_warm;
+        case ColourMap::deep_water:
+            return deep_water;
+        case ColourMap::viridis:
+            break;
+    }
+    return viridis;
+}
+
 std::uint8_t mix(std::uint8_t a, std::uint8_t b, double f) {
     return static_cast<std::uint8_t>(std::lround(a + (b - a) * f));
 }
@@ -37,7 +59,7 @@ std::uint8_t mix(std::uint8_t a, std::uint8_t b, double f) {
 }  // namespace
 
 Rgb colour(ColourMap map, double position) {
-    const Table& table = map == ColourMap::viridis ? viridis : cool_warm;
+    const Table& table = table_of(map);
     const double at = std::clamp(position, 0.0, 1.0) * (table.size() - 1);
     const auto i = std::min(static_cast<std::size_t>(at), table.size() - 2);
     const Rgb a = table[i], b = table[i + 1];

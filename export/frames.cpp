@@ -53,4 +53,17 @@ VtiFrame extremes_frame(const Grid& grid, double time_s, const Field<float>& bed
     return frame;
 }
 
+VtiFrame volume_frame(const WaterBody& water, glm::ivec3 cells, const Field<float>& plane_irradiance,
+                      const Field<float>& scalar_irradiance) {
+    const Grid& grid = water.grid;
+    VtiFrame frame;
+    frame.cells = cells;
+    frame.origin_m = {grid.x0_m, grid.y0_m, -water.depth_m};
+    frame.pitch_m = {grid.width_m() / cells.x, grid.height_m() / cells.y, water.depth_m / cells.z};
+    frame.time_s = water.time_s;
+    frame.arrays.push_back({"plane_irradiance", {plane_irradiance.values()}});
+    frame.arrays.push_back({"scalar_irradiance", {scalar_irradiance.values()}});
+    return frame;
+}
+
 }  // namespace waterlight

@@ -20,4 +20,16 @@ VtiFrame floor_frame(const FloorPlan& plan, double depth_m, double time_s, const
 VtiFrame extremes_frame(const Grid& grid, double time_s, const Field<float>& bed_m, const ShallowRecords& records,
                         const std::vector<std::string>& wanted);
 
+/// Where and when the water is that a frame of fields covers.
+struct WaterBody {
+    Grid grid;
+    double depth_m = 1;
+    double time_s = 0;
+};
+
+/// From the floor to still water: "plane_irradiance" and "scalar_irradiance" (W/m2), the deepest slice first. Borrows
+/// the fields.
+VtiFrame volume_frame(const WaterBody& water, glm::ivec3 cells, const Field<float>& plane_irradiance,
+                      const Field<float>& scalar_irradiance);
+
 }  // namespace waterlight

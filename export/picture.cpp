@@ -100,7 +100,8 @@ IndexedImage draw_picture(const Field<float>& field, const PictureSettings& sett
         enlarge(steps, field, canvas, {0, 0, size.width, size.height});
         return canvas.take();
     }
-    const double metres_per_pixel = size.to_scale ? field.nx() * settings.pitch_m.x / size.width : 0;
+    const bool has_length = size.to_scale && settings.length_bar;
+    const double metres_per_pixel = has_length ? field.nx() * settings.pitch_m.x / size.width : 0;
     const Legend legend(settings, size.width, size.height, metres_per_pixel, painter.clipped());
     Canvas canvas(legend.canvas_width(), legend.canvas_height(), settings.map, settings.missing);
     legend.draw(canvas);

@@ -21,6 +21,7 @@ struct PictureSettings {
     std::optional<double> time_s;
     glm::dvec2 pitch_m{1, 1};  ///< size of a cell, > 0
     bool legend = true;        ///< false: the colours only
+    bool length_bar = true;    ///< of the legend; false where a pixel is no length
     Rgb missing{255, 0, 200};  ///< colour of NaN
 };
 

@@ -16,5 +16,7 @@ void require_inside(const Scenario& scenario, const std::string& key, glm::dvec2
 void check_sides(const Scenario& scenario);
 /// Throws InputError where what only the model shallow-water knows is stated beside another, or contradicts itself.
 void check_shallow(const Scenario& scenario);
+/// Throws InputError where a camera or a probe in the water is stated without beams, or is not in the water.
+void check_beams(const Scenario& scenario);
 
 }  // namespace waterlight

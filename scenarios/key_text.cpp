@@ -57,6 +57,8 @@ std::string allowed(const Key& key, const Target& target) {
                    [&](std::optional<std::string>* t) { return text(t); }, [&](glm::dvec2* t) { return numbers(t); },
                    [&](std::optional<glm::dvec2>* t) { return numbers(t); },
                    [&](glm::ivec2*) { return with_range("two integers, each", key.range); },
+                   [](glm::dvec3*) { return std::string("three numbers"); },
+                   [&](std::optional<glm::ivec3>*) { return with_range("three integers, each", key.range); },
                    [](const Choice& c) { return fmt::format("one of {}", fmt::join(c.names, ", ")); },
                    [](const Words& w) { return fmt::format("list of {}", fmt::join(w.names, ", ")); }},
         target);
@@ -75,6 +77,12 @@ std::string value_text(const Target& target) {
                    [](const glm::dvec2* v) { return pair_text(*v); },
                    [](const std::optional<glm::dvec2>* v) { return *v ? pair_text(**v) : std::string(); },
                    [](const glm::ivec2* v) { return fmt::format("[{}, {}]", v->x, v->y); },
+                   [](const glm::dvec3* v) {
+                       return fmt::format("[{}, {}, {}]", number_text(v->x), number_text(v->y), number_text(v->z));
+                   },
+                   [](const std::optional<glm::ivec3>* v) {
+                       return *v ? fmt::format("[{}, {}, {}]", (*v)->x, (*v)->y, (*v)->z) : std::string();
+                   },
                    [&](const Choice& c) { return quoted(std::string(c.names[static_cast<std::size_t>(c.selected)])); },
                    [](const Words& w) { return fmt::format("[{}]", fmt::join(*w.values, ", ")); }},
         target);

@@ -23,6 +23,9 @@ constexpr double two_pass_pixel = 56;
 // In double precision, with the two solutions that are compared.
 constexpr double truth_pixel = 120;
 
+// Bytes a cell of the fields in the water: both of them, and four of each that wait to be written.
+constexpr double volume_cell = 50;
+
 double bytes_per_cell(ModelChoice model) {
     if (model == ModelChoice::linear) return linear_cell;
     if (model == ModelChoice::shallow_water) return shallow_water_cell;
@@ -55,6 +58,10 @@ MemoryEstimate estimate_memory(const Scenario& scenario) {
     const glm::ivec2 n = scenario.domain.cells;
     MemoryEstimate estimate;
     estimate.cells = margins * n.x * static_cast<double>(n.y) * bytes_per_cell(model);
+    if (scenario.beams && scenario.beams->volume_cells) {
+        const glm::dvec3 v(*scenario.beams->volume_cells);
+        estimate.volume = v.x * v.y * v.z * volume_cell;
+    }
     if (!scenario.floor) return estimate;
     const glm::ivec2 pixels = scenario.floor->pixels;
     const double per_pixel = scenario.floor->method == FloorMethod::truth ? truth_pixel : two_pass_pixel;
@@ -72,6 +79,13 @@ double machine_memory() {
 void check_memory(const Scenario& scenario, double available) {
     const MemoryEstimate estimate = estimate_memory(scenario);
     if (estimate.total() <= available) return;
+    if (estimate.volume > std::max(estimate.cells, estimate.pixels)) {
+        const glm::ivec3 v = *scenario.beams->volume_cells;
+        scenario.origin.reject(
+            "caustics.beams.volume_cells",
+            fmt::format("[{}, {}, {}], which takes some {}", v.x, v.y, v.z, in_gib(estimate.total())),
+            fmt::format("what fits the {} of memory that this machine has free", in_gib(available)));
+    }
     const bool cells_dominate = estimate.cells >= estimate.pixels;
     const glm::ivec2 n = cells_dominate ? scenario.domain.cells : scenario.floor->pixels;
     scenario.origin.reject(

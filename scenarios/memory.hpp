@@ -11,7 +11,8 @@ namespace waterlight {
 struct MemoryEstimate {
     double cells = 0;   ///< for the wave model, its surface and the frames that wait to be written
     double pixels = 0;  ///< for the map and the frames that wait
-    double total() const { return cells + pixels; }
+    double volume = 0;  ///< for the fields in the water and the frames that wait
+    double total() const { return cells + pixels + volume; }
 };
 
 /// Cells (times 2 for each pair of absorbing sides that has a hidden margin) x bytes a cell of the model, plus pixels x

@@ -40,6 +40,18 @@ constexpr std::array of_run{
     Quantity{"floor.lost_fraction", "", "largest part of the light over the run that landed beyond the window"},
     Quantity{"floor.ledger_closure", "", "largest part of the light over the run that is unaccounted for"},
     Quantity{"floor.truth_error", "", "the truth's own estimate of its relative error"},
+    Quantity{"beams.ledger_closure", "", "largest part of the light over the run that is unaccounted for"},
+    Quantity{"beams.discarded_fraction", "", "largest part of the light over the run on discarded triangles"},
+    Quantity{"volume.flux_error", "",
+             "largest part of a slice's light over the run that is neither on its cells nor beyond a side"},
+    Quantity{"volume.mean_irradiance", "W/m2", "downward, mean over the deepest slice and the frames"},
+    Quantity{"volume.brightest_depth", "m", "depth of the cell of greatest downward irradiance"},
+    Quantity{"volume.max_cv", "", "largest coefficient of variation of any slice over cells and frames"},
+    Quantity{"volume.max_cv_depth", "m", "depth of that slice"},
+    Quantity{"volume.max_skewness", "", "largest skewness of any slice over cells and frames"},
+    Quantity{"volume.max_flash_fraction", "", "largest part of any slice above 1.5 times its mean"},
+    Quantity{"camera.mean_radiance", "W/(m2 sr)", "mean over the picture"},
+    Quantity{"camera.max_radiance", "W/(m2 sr)", "brightest pixel"},
 };
 
 constexpr std::array of_probe{
@@ -48,8 +60,8 @@ constexpr std::array of_probe{
     Quantity{"max_elevation", "m", "greatest over the rows of probes.csv"},
     Quantity{"rms_elevation", "m", "root mean square over the rows of the second half of the run"},
     Quantity{"arrival_time", "s", "when the water came, or first rose by waves.wet_m; model shallow-water"},
-    Quantity{"irradiance", "W/m2", "on the floor below, at the end"},
-    Quantity{"max_irradiance", "W/m2", "on the floor below, greatest over the frames"},
+    Quantity{"irradiance", "W/m2", "downward on the floor below, or at the probe's depth, at the end"},
+    Quantity{"max_irradiance", "W/m2", "the same, greatest over the frames"},
 };
 
 // What the model shallow-water alone has.

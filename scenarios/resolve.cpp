@@ -77,4 +77,33 @@ FloorSettings floor_settings(const Scenario& scenario) {
     return settings;
 }
 
+BeamSettings beam_settings(const Scenario& scenario) {
+    assert(scenario.beams);
+    const BeamsSection& beams = *scenario.beams;
+    const glm::dvec2 domain = scenario.domain.size_m;
+    BeamSettings settings;
+    settings.grid = beams.grid;
+    if (beams.size_m)
+        settings.window = BeamWindow{beams.centre_m.value_or(domain * 0.5) - 0.5 * *beams.size_m, *beams.size_m};
+    settings.depth_m = scenario.domain.depth_m;
+    settings.sun = scenario.light;
+    settings.optics = scenario.optics;
+    return settings;
+}
+
+BeamImageSettings beam_image_settings(const Scenario& scenario) {
+    assert(scenario.camera);
+    constexpr double dim = 6.9;  // ln 1000
+    const double longest_m = 2 * std::max(scenario.domain.size_m.x, scenario.domain.size_m.y);
+    const double extinction = scenario.optics.extinction_per_m();
+    BeamImageSettings settings;
+    settings.camera = scenario.camera->camera;
+    settings.optics = scenario.optics;
+    settings.samples = scenario.camera->samples;
+    settings.reduction = scenario.camera->reduction;
+    settings.range_m =
+        scenario.camera->range_m.value_or(extinction > 0 ? std::min(longest_m, dim / extinction) : longest_m);
+    return settings;
+}
+
 }  // namespace waterlight

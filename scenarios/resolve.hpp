@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "caustics/beam_image.hpp"
 #include "caustics/floor.hpp"
 #include "scenarios/scenario.hpp"
 #include "sim/grid.hpp"
@@ -28,5 +29,10 @@ bool is_closed(const Scenario& scenario);
 Grid grid_of(const Scenario& scenario);
 /// Of the floor's map. The scenario has one.
 FloorSettings floor_settings(const Scenario& scenario);
+/// Of the beams. The scenario has them.
+BeamSettings beam_settings(const Scenario& scenario);
+/// Of the picture. The scenario has a camera. Left open, its range is where a thousandth of the light is left, at most
+/// twice the domain's longer side.
+BeamImageSettings beam_image_settings(const Scenario& scenario);
 
 }  // namespace waterlight

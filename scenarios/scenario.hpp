@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "caustics/camera.hpp"
 #include "caustics/floor.hpp"
 #include "caustics/light.hpp"
 #include "export/vti.hpp"
@@ -76,6 +77,23 @@ struct FloorSection {
     int most_subsamples = 32;            ///< of the truth: per pixel and axis, where its refinement ends
 };
 
+struct BeamsSection {
+    glm::ivec2 grid{128, 128};
+    std::optional<glm::dvec2> centre_m;      ///< of the grid, at still water along the sun's rays; none: the domain's
+    std::optional<glm::dvec2> size_m;        ///< none: all that lights the domain
+    std::optional<glm::ivec3> volume_cells;  ///< none: no fields in the water
+    std::optional<double> refine_below;      ///< share of make_refined_beams(), for pictures; none: one grid
+};
+
+/// A picture of the light that the water scatters.
+struct CameraSection {
+    Camera camera;
+    int samples = 1;
+    int reduction = 1;
+    std::optional<double> range_m;       ///< none: chosen by beam_image_settings()
+    std::optional<double> radiance_max;  ///< of the pictures, W/(m2 sr); none: of each frame
+};
+
 struct OutputSection {
     double every_s = 0.1;
     std::optional<double> probe_every_s;  ///< none: every_s
@@ -89,10 +107,11 @@ struct OutputSection {
     bool shows(const std::string& field) const;
 };
 
-/// A gauge: the elevation of the surface, and the irradiance on the floor below it, at one place.
+/// A gauge: the elevation of the surface, and the irradiance below it, at one place.
 struct Probe {
     std::string name;
     glm::dvec2 at_m{0, 0};
+    std::optional<double> depth_m;  ///< of the irradiance below still water; none: on the floor
 };
 
 /// An expectation about one number of the report.
@@ -113,6 +132,8 @@ struct Scenario {
     WavesSection waves;
     Sun light;
     std::optional<FloorSection> floor;
+    std::optional<BeamsSection> beams;
+    std::optional<CameraSection> camera;
     OutputSection output;
     std::vector<Probe> probes;
     std::vector<Check> checks;

@@ -2,6 +2,7 @@
 #include "scenarios/schema.hpp"
 
 #include "scenarios/scenario.hpp"
+#include "scenarios/schema_beams.hpp"
 #include "scenarios/schema_parts.hpp"
 #include "scenarios/schema_shallow.hpp"
 
@@ -31,9 +32,7 @@ void describe_water(Visitor& v, Water& w, WaterOptics& o) {
             &w.surface_tension_n_m);
     v.value({"refractive_index", "", "Of the water; that of air is 1.", {.low = 1, .high = 3}}, &o.refractive_index);
     v.value({"fresnel", "", "Whether the surface reflects its share; false lets all light in."}, &o.fresnel);
-    v.value({"absorption_per_m", "1/m", "Absorption coefficient a.", not_negative}, &o.absorption_per_m);
-    v.value({"scattering_per_m", "1/m", "Scattering coefficient b; the floor sees unscattered light.", not_negative},
-            &o.scattering_per_m);
+    describe_optics(v, o);
 }
 
 void describe_sine(Visitor& v, Sine& s) {
@@ -226,6 +225,9 @@ void describe_output(Visitor& v, OutputSection& s) {
 void describe_probe(Visitor& v, Probe& s) {
     v.value({"name", "", "Column in probes.csv; letters, digits, _ and -.", {}, true}, &s.name);
     v.value({"at_m", "m", "Place in the domain.", {}, true}, &s.at_m);
+    v.value({"depth_m", "m", "Depth below still water at which it reads the irradiance; needs caustics.beams.",
+             positive, false, "that of the floor"},
+            &s.depth_m);
 }
 
 void describe_check(Visitor& v, Check& s) {
@@ -248,9 +250,13 @@ void describe(Visitor& v, Scenario& s) {
     v.section({"light", "", "The sun."}, [&s](Visitor& in) { describe_light(in, s.light); });
     v.section({"caustics", "", "The light that the water focuses."}, [&s](Visitor& in) {
         in.optional_section({"floor", "", "The map of irradiance on the floor."}, into(s.floor, describe_floor));
+        in.optional_section({"beams", "", "Beams of light in the water, for fields, places and pictures of it."},
+                            into(s.beams, describe_beams));
     });
+    v.optional_section({"camera", "", "A picture of the light that the water scatters; needs caustics.beams."},
+                       into(s.camera, describe_camera));
     v.section({"output", "", "What is written."}, [&s](Visitor& in) { describe_output(in, s.output); });
-    v.list({"probe", "", "A gauge: elevation, and irradiance on the floor below."},
+    v.list({"probe", "", "A gauge: elevation, and irradiance below it."},
            {{"", "", append<Probe>(s.probes, describe_probe)}});
     v.list({"check", "", "An expectation; the run fails with exit 1 where it is not met."},
            {{"", "", append<Check>(s.checks, describe_check)}});

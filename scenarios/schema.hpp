@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <limits>
 #include <optional>
 #include <string>
@@ -52,9 +53,9 @@ struct Words {
 };
 
 /// Where the value of a key goes.
-using Target =
-    std::variant<double*, std::optional<double>*, int*, std::uint64_t*, bool*, std::string*,
-                 std::optional<std::string>*, glm::dvec2*, std::optional<glm::dvec2>*, glm::ivec2*, Choice, Words>;
+using Target = std::variant<double*, std::optional<double>*, int*, std::uint64_t*, bool*, std::string*,
+                            std::optional<std::string>*, glm::dvec2*, std::optional<glm::dvec2>*, glm::ivec2*,
+                            glm::dvec3*, std::optional<glm::ivec3>*, Choice, Words>;
 
 /// "number > 0", "two integers, each in [1, 1048576]", "one of wall, periodic".
 std::string allowed(const Key& key, const Target& target);

@@ -62,6 +62,8 @@ struct Reading {
     bool operator()(glm::dvec2* t) const { return store(t, pair<glm::dvec2>(number_in)); }
     bool operator()(std::optional<glm::dvec2>* t) const { return store(t, pair<glm::dvec2>(number_in)); }
     bool operator()(glm::ivec2* t) const { return store(t, pair<glm::ivec2>(integer_in)); }
+    bool operator()(glm::dvec3* t) const { return store(t, triple<glm::dvec3>(number_in)); }
+    bool operator()(std::optional<glm::ivec3>* t) const { return store(t, triple<glm::ivec3>(integer_in)); }
     bool operator()(const Choice& choice) const {
         const auto index = index_in(choice.names, text_of(node, raw));
         if (index) choice.select(static_cast<int>(*index));
@@ -88,6 +90,19 @@ struct Reading {
         const auto x = read_one(key.range, *list->get(0)), y = read_one(key.range, *list->get(1));
         if (!x || !y) return std::nullopt;
         return Vec(*x, *y);
+    }
+
+    template <class Vec, class ReadOne>
+    std::optional<Vec> triple(ReadOne read_one) const {
+        const toml::array* list = node.as_array();
+        if (!list || list->size() != 3) return std::nullopt;
+        Vec values{};
+        for (int i = 0; i < 3; ++i) {
+            const auto one = read_one(key.range, *list->get(static_cast<std::size_t>(i)));
+            if (!one) return std::nullopt;
+            values[i] = *one;
+        }
+        return values;
     }
 
     static std::optional<std::size_t> index_in(const std::vector<std::string_view>& names,

@@ -33,13 +33,38 @@ void check_fields(const ShallowWaterSettings& s) {
     for (const double depth : s.depth_m.values()) require(depth >= 0, "depth", depth, ">= 0");
 }
 
+void check_series(std::string_view what, const TimeSeries& series) {
+    if (series.empty() || series.value.size() != series.time_s.size())
+        throw InputError(fmt::format("{}: found {} times and {} values; allowed: as many of both, at least one", what,
+                                     series.time_s.size(), series.value.size()));
+    for (const double value : series.value) require(std::isfinite(value), what, value, "finite numbers");
+    for (std::size_t n = 0; n < series.time_s.size(); ++n)
+        require(std::isfinite(series.time_s[n]) && (n == 0 || series.time_s[n] > series.time_s[n - 1]), what,
+                series.time_s[n], "times that increase");
+}
+
+struct SideCheck {
+    void operator()(const WallSide&) const {}
+    void operator()(const PeriodicSide&) const {}
+    void operator()(const OpenSide&) const {}
+    void operator()(const IncidentSide& side) const { check_series("incident wave of a side", side.elevation_m); }
+    void operator()(const DischargeSide& side) const {
+        check_series("discharge of a side", side.discharge_m2_s);
+        for (const double q : side.discharge_m2_s.value) require(q >= 0, "discharge of a side", q, ">= 0 m2/s");
+    }
+    void operator()(const LevelSide& side) const { check_series("level of a side", side.elevation_m); }
+    void operator()(const FlowSide& side) const {
+        for (const double value : {side.elevation_m, side.velocity_m_s.x, side.velocity_m_s.y})
+            require(std::isfinite(value), "flow of a side", value, "finite numbers");
+    }
+    void operator()(const PistonSide& side) const { check_series("piston of a side", side.displacement_m); }
+};
+
 void check_sides(const ShallowSides& s) {
     const auto periodic = [](const ShallowSide& side) { return std::holds_alternative<PeriodicSide>(side); };
     if (periodic(s.west) != periodic(s.east) || periodic(s.south) != periodic(s.north))
         throw InputError("sides: found one periodic side without its opposite; allowed: both or none of an axis");
-    for (const ShallowSide* side : {&s.west, &s.east, &s.south, &s.north})
-        if (const auto* river = std::get_if<DischargeSide>(side))
-            for (const double q : river->discharge_m2_s.value) require(q >= 0, "discharge of a side", q, ">= 0 m2/s");
+    for (const ShallowSide* side : {&s.west, &s.east, &s.south, &s.north}) std::visit(SideCheck{}, *side);
 }
 
 double deepest_m(const ShallowWaterSettings& s) {

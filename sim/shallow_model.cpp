@@ -11,7 +11,7 @@
 namespace waterlight {
 
 // A step shorter than this part of the time in which the initial water's waves cross a cell is a collapse.
-static constexpr double least_part = 1e-6;
+static constexpr double least_part = 1e-9;
 
 template <class Real>
 ShallowModel<Real>::ShallowModel(const ShallowWaterSettings& s, std::unique_ptr<ShallowSolver<Real>> solver)
@@ -23,6 +23,7 @@ ShallowModel<Real>::ShallowModel(const ShallowWaterSettings& s, std::unique_ptr<
       keep_records_(s.keep_records),
       sources_(s),
       solver_(std::move(solver)),
+      least_rate_(has_series(s.sides) ? still_rate(s) : 0),
       least_step_s_(least_part / still_rate(s)),
       surface_(s.grid, boundary_of(s.sides)) {
     disturb_since(0);
@@ -52,8 +53,8 @@ void ShallowModel<Real>::advance(double frame_s) {
 template <class Real>
 double ShallowModel<Real>::next_step(double remaining_s) const {
     if (!peak_.finite) fail("a number is not finite");
-    if (peak_.rate * remaining_s <= cfl_) return remaining_s;
-    const double longest = cfl_ / peak_.rate;
+    if (rate() * remaining_s <= cfl_) return remaining_s;
+    const double longest = cfl_ / rate();
     if (longest < least_step_s_) fail(fmt::format("the time step fell to {:.3g} s", longest));
     return remaining_s / std::ceil(remaining_s / longest);
 }

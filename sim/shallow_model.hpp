@@ -1,6 +1,7 @@
 // The shallow-water model around a solver: how long its steps are, and what its state says.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 
@@ -23,12 +24,13 @@ class ShallowModel final : public ShallowWaterModel {
     std::int64_t steps() const override { return steps_; }
     ShallowState state(int i, int j) const override { return state_of(view(), i, j); }
     double bed_m(int i, int j) const override { return ground_of(solver_->start(), i, j); }
-    double step_s() const override { return steps_ > 0 ? dt_ : cfl_ / peak_.rate; }
+    double step_s() const override { return steps_ > 0 ? dt_ : cfl_ / rate(); }
     ShallowTotals totals() const override { return shallow_totals(view(), wet_m_); }
     const ShallowRecords* records() const override { return keep_records_ ? &solver_->records() : nullptr; }
 
   private:
     ShallowView<Real> view() const { return {grid_, water_, solver_->start(), solver_->fields(), film_}; }
+    double rate() const { return std::max(peak_.rate, least_rate_); }
     double next_step(double remaining_s) const;
     bool disturb_since(double from_s);
     [[noreturn]] void fail(const std::string& what) const;
@@ -40,6 +42,7 @@ class ShallowModel final : public ShallowWaterModel {
     ShallowSources sources_;
     std::unique_ptr<ShallowSolver<Real>> solver_;
     ShallowPeak peak_;
+    double least_rate_;  ///< what may come in with time must not be passed over while hardly any water is there
     double least_step_s_;
     double time_s_ = 0, dt_ = 0;
     std::int64_t steps_ = 0;

@@ -42,8 +42,8 @@ struct ShallowFields {
     ShallowFields(int nx, int ny) : rise(nx, ny), qx(nx, ny), qy(nx, ny) {}
 };
 
-/// What stays: the surface (m above the datum) and the depth (m) at the start. Surface = initial surface + rise, depth =
-/// initial depth + rise, height of the ground = initial surface - initial depth.
+/// What stays: the surface (m above the datum) and the depth (m) at the start. Surface = initial surface + rise, depth
+/// = initial depth + rise, height of the ground = initial surface - initial depth.
 template <class Real>
 struct ShallowStart {
     FramedRows<Real> surface;

@@ -51,45 +51,47 @@ Real value(const FramedRows<Real>& field, Place at) {
 /// What each kind of side asks for. The velocity of a flow is turned into the side's own axes.
 struct Demand {
     const SideView& view;
-    double time_s;
+    const ShallowMoment& moment;
 
     using Result = f64::SideDemand;
     Result operator()(const WallSide&) const { return {BEYOND_WALL, 0, 0, 0}; }
     Result operator()(const PeriodicSide&) const { return {BEYOND_PERIODIC, 0, 0, 0}; }
     Result operator()(const OpenSide&) const { return {BEYOND_WAVE, 0, 0, 0}; }
     Result operator()(const IncidentSide& side) const {
-        return {BEYOND_WAVE, time_s <= side.elevation_m.end_s() ? side.elevation_m.at(time_s) : 0, 0, 0};
+        return {BEYOND_WAVE, moment.at_s <= side.elevation_m.end_s() ? side.elevation_m.at(moment.at_s) : 0, 0, 0};
     }
     Result operator()(const DischargeSide& side) const {
-        return {BEYOND_DISCHARGE, side.discharge_m2_s.at(time_s), 0, 0};
+        return {BEYOND_DISCHARGE, side.discharge_m2_s.at(moment.at_s), 0, 0};
     }
-    Result operator()(const LevelSide& side) const { return {BEYOND_LEVEL, side.elevation_m.at(time_s), 0, 0}; }
+    Result operator()(const LevelSide& side) const { return {BEYOND_LEVEL, side.elevation_m.at(moment.at_s), 0, 0}; }
     Result operator()(const FlowSide& side) const {
         const glm::dvec2 v = side.velocity_m_s;
         return {BEYOND_FLOW, side.elevation_m, view.inward() * (view.along_y ? v.x : v.y), view.along_y ? v.y : v.x};
     }
-    Result operator()(const PistonSide& side) const {
-        return {BEYOND_PISTON, side.displacement_m.rate_at(time_s), 0, 0};
+    Result operator()(const PistonSide& side) const { return {BEYOND_PISTON, mean_rate(side.displacement_m), 0, 0}; }
+
+    double mean_rate(const TimeSeries& series) const {
+        const auto [at_s, from_s, to_s] = moment;
+        return to_s > from_s ? (series.at(to_s) - series.at(from_s)) / (to_s - from_s) : series.rate_at(at_s);
     }
 };
 
 }  // namespace shallow_sides
 
 using namespace shallow_sides;
+using f64::SideDemand;
 
 Boundary boundary_of(const ShallowSides& sides) {
     return {side_of(sides.west, sides.east), side_of(sides.south, sides.north)};
 }
 
-ShallowEdges edges_of(const ShallowSides& sides) {
-    const auto is_closed = [](const ShallowSide& side) { return std::holds_alternative<WallSide>(side); };
-    return {is_periodic(sides.west), is_periodic(sides.south), is_closed(sides.west),
-            is_closed(sides.east),   is_closed(sides.south),   is_closed(sides.north)};
+bool has_series(const ShallowSides& sides) {
+    const auto follows_one = [](const ShallowSide& side) {
+        return std::holds_alternative<IncidentSide>(side) || std::holds_alternative<DischargeSide>(side) ||
+               std::holds_alternative<LevelSide>(side) || std::holds_alternative<PistonSide>(side);
+    };
+    return follows_one(sides.west) || follows_one(sides.east) || follows_one(sides.south) || follows_one(sides.north);
 }
-
-template <class Real>
-ShallowFrames<Real>::ShallowFrames(const Grid& grid, const ShallowSides& sides, double gravity_m_s2, double film_m)
-    : grid_(grid), sides_(sides), gravity_(gravity_m_s2), film_(film_m) {}
 
 namespace {
 
@@ -98,27 +100,41 @@ std::array<SideView, 4> views_of(const Grid& grid) {
     return {SideView{true, false, nx, ny}, {true, true, nx, ny}, {false, false, nx, ny}, {false, true, nx, ny}};
 }
 
-}  // namespace
-
-SideDemands side_demands(const ShallowSides& sides, double time_s) {
-    const std::array<const ShallowSide*, 4> all{&sides.west, &sides.east, &sides.south, &sides.north};
-    const std::array<SideView, 4> views = views_of({});
-    SideDemands demands;
-    for (std::size_t n = 0; n < all.size(); ++n) demands[n] = std::visit(Demand{views[n], time_s}, *all[n]);
-    return demands;
-}
-
-template <class Real>
+/// Calls work(demand, view) for the four sides.
 template <class Work>
-void ShallowFrames<Real>::for_sides(double time_s, Work work) const {
-    const SideDemands demands = side_demands(sides_, time_s);
-    const std::array<SideView, 4> views = views_of(grid_);
+void for_sides(const SideDemands& demands, const Grid& grid, Work work) {
+    const std::array<SideView, 4> views = views_of(grid);
     for (std::size_t n = 0; n < views.size(); ++n) work(demands[n], views[n]);
 }
 
+ShallowGate gate_of(const SideDemand& demand, const SideView& view) {
+    if (demand.kind == BEYOND_DISCHARGE) return {true, view.inward() * demand.value};
+    return {demand.kind == BEYOND_WALL, 0};
+}
+
+}  // namespace
+
+SideDemands side_demands(const ShallowSides& sides, const ShallowMoment& moment) {
+    const std::array<const ShallowSide*, 4> all{&sides.west, &sides.east, &sides.south, &sides.north};
+    const std::array<SideView, 4> views = views_of({});
+    SideDemands demands;
+    for (std::size_t n = 0; n < all.size(); ++n) demands[n] = std::visit(Demand{views[n], moment}, *all[n]);
+    return demands;
+}
+
+ShallowGates gates_of(const SideDemands& demands) {
+    const std::array<SideView, 4> views = views_of({});
+    return {gate_of(demands[0], views[0]), gate_of(demands[1], views[1]), gate_of(demands[2], views[2]),
+            gate_of(demands[3], views[3])};
+}
+
 template <class Real>
-void ShallowFrames<Real>::fill(ShallowStart<Real>& start) const {
-    for_sides(0, [&](const SideDemand& demand, const SideView& view) {
+ShallowFrames<Real>::ShallowFrames(const Grid& grid, double gravity_m_s2, double film_m)
+    : grid_(grid), gravity_(gravity_m_s2), film_(film_m) {}
+
+template <class Real>
+void ShallowFrames<Real>::fill(const SideDemands& demands, ShallowStart<Real>& start) const {
+    for_sides(demands, grid_, [&](const SideDemand& demand, const SideView& view) {
         for (int frame = -2; frame < 0; ++frame) {
             const int from = f64::frame_source(demand.kind, frame, view.across());
             for (int n = 0; n < view.count(); ++n) {
@@ -201,9 +217,10 @@ double ShallowFrames<Real>::find_beyond(const SideDemand& demand, const SideView
 }
 
 template <class Real>
-double ShallowFrames<Real>::fill(const ShallowStart<Real>& start, double time_s, ShallowFields<Real>& now) const {
+double ShallowFrames<Real>::fill(const SideDemands& demands, const ShallowStart<Real>& start,
+                                 ShallowFields<Real>& now) const {
     double fastest = 0;
-    for_sides(time_s, [&](const SideDemand& demand, const SideView& view) {
+    for_sides(demands, grid_, [&](const SideDemand& demand, const SideView& view) {
         if (copies(demand)) return copy_frame(demand.kind, view, now);
         const auto inside = [&](Place at) { return cell(now, view, at); };
         const auto put = [&](Place at, const Cell& beyond) { set_cell(beyond, view, at, now); };
@@ -213,9 +230,9 @@ double ShallowFrames<Real>::fill(const ShallowStart<Real>& start, double time_s,
 }
 
 template <class Real>
-void ShallowFrames<Real>::fill(const ShallowStart<Real>& start, double time_s, const ShallowFields<Real>& now,
-                               ShallowFields<Real>& change) const {
-    for_sides(time_s, [&](const SideDemand& demand, const SideView& view) {
+void ShallowFrames<Real>::fill(const SideDemands& demands, const ShallowStart<Real>& start,
+                               const ShallowFields<Real>& now, ShallowFields<Real>& change) const {
+    for_sides(demands, grid_, [&](const SideDemand& demand, const SideView& view) {
         if (copies(demand)) return copy_frame(demand.kind, view, change);
         const auto inside = [&](Place at) {
             const Cell a = cell(now, view, at), b = cell(change, view, at);

@@ -20,37 +20,42 @@ Boundary boundary_of(const ShallowSides& sides);
 /// Of west, east, south and north.
 using SideDemands = std::array<f64::SideDemand, 4>;
 
-/// What the sides ask for at time_s.
-SideDemands side_demands(const ShallowSides& sides, double time_s);
+/// When sides are asked for what they do: at_s within the step from from_s to to_s, all the same where no step is
+/// taken.
+struct ShallowMoment {
+    double at_s, from_s, to_s;
+};
 
-/// Walls are closed; a piston brings in the water that it displaces.
-ShallowEdges edges_of(const ShallowSides& sides);
+/// What the sides ask for. A piston has its mean velocity over the step, so that it goes all of its way.
+SideDemands side_demands(const ShallowSides& sides, const ShallowMoment& moment);
+
+/// Nothing passes a wall; a river has its discharge.
+ShallowGates gates_of(const SideDemands& demands);
+
+/// Whether a side does what a series says.
+bool has_series(const ShallowSides& sides);
 
 namespace shallow_sides {
 struct SideView;
-using f64::SideDemand;
-}  // namespace shallow_sides
+}
 
 template <class Real>
 class ShallowFrames {
   public:
     /// Of films thinner than `film` (m) the velocity fades, see flow_per_discharge().
-    ShallowFrames(const Grid& grid, const ShallowSides& sides, double gravity_m_s2, double film_m);
+    ShallowFrames(const Grid& grid, double gravity_m_s2, double film_m);
 
     /// The frame of the ground and of the initial surface: mirrored at walls, repeated where periodic, level elsewhere.
-    void fill(ShallowStart<Real>& start) const;
+    void fill(const SideDemands& demands, ShallowStart<Real>& start) const;
 
-    /// The frame of the fields at time_s. Returns the largest crossing rate (1/s) of what may flow in.
-    double fill(const ShallowStart<Real>& start, double time_s, ShallowFields<Real>& now) const;
+    /// The frame of the fields. Returns the largest crossing rate (1/s) of what may flow in.
+    double fill(const SideDemands& demands, const ShallowStart<Real>& start, ShallowFields<Real>& now) const;
 
-    /// The frame of `change`, such that now + change is what lies beyond the sides at time_s.
-    void fill(const ShallowStart<Real>& start, double time_s, const ShallowFields<Real>& now,
+    /// The frame of `change`, such that now + change is what lies beyond the sides.
+    void fill(const SideDemands& demands, const ShallowStart<Real>& start, const ShallowFields<Real>& now,
               ShallowFields<Real>& change) const;
 
   private:
-    /// Calls work(demand, view) for the four sides.
-    template <class Work>
-    void for_sides(double time_s, Work work) const;
     /// Of each frame cell of a side what lies beyond: cells.first gives what is inside, cells.second takes what is
     /// beyond.
     template <class Inside, class Put>
@@ -58,7 +63,6 @@ class ShallowFrames {
                        const ShallowStart<Real>& start, const std::pair<Inside, Put>& cells) const;
 
     Grid grid_;
-    ShallowSides sides_;
     double gravity_, film_;
 };
 

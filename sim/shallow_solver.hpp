@@ -7,6 +7,15 @@
 
 namespace waterlight {
 
+/// A side through which the flow is given, exactly and not as it comes out between inside and frame: none at walls.
+struct ShallowGate {
+    bool given = false;
+    double discharge_m2_s = 0;  ///< along the axis
+};
+struct ShallowGates {
+    ShallowGate west, east, south, north;
+};
+
 /// What a stage needs to know besides the fields.
 template <class Real>
 struct ShallowStage {
@@ -14,7 +23,8 @@ struct ShallowStage {
     Real per_dx = 0, per_dy = 0;  ///< 1/m
     Real gravity = 0;
     Real film = 0;      ///< m; see flow_per_discharge()
-    Real friction = 0;  ///< g n^2 dt, applied at the end of the step where it is above 0
+    Real friction = 0;  ///< g n^2 dt / 2: half of the step's friction goes before it, half after it (Strang)
+    ShallowGates gates = {};
 };
 
 /// What is the same for all stages of a run.
@@ -37,7 +47,7 @@ struct ShallowConstants {
                 .per_dy = static_cast<Real>(per_dy),
                 .gravity = static_cast<Real>(gravity),
                 .film = static_cast<Real>(film),
-                .friction = static_cast<Real>(gravity * manning * manning * dt)};
+                .friction = static_cast<Real>(0.5 * gravity * manning * manning * dt)};
     }
 };
 
@@ -45,13 +55,6 @@ struct ShallowConstants {
 struct ShallowPeak {
     double rate = 0;  ///< 1/s, largest crossing_rate()
     bool finite = true;
-};
-
-/// How the grid ends. Periodic: the frame along that axis is what lies on the other side. Closed: no water passes there,
-/// not even by rounding.
-struct ShallowEdges {
-    bool periodic_x = false, periodic_y = false;
-    bool closed_west = false, closed_east = false, closed_south = false, closed_north = false;
 };
 
 template <class Real>
@@ -66,8 +69,8 @@ class ShallowSolver {
     /// Settles the discharge of films and fills the frame, as a step does at its end. The peak is that of the fields
     /// and of what may flow in.
     virtual ShallowPeak look(double time_s) = 0;
-    /// Heun's method from time_s to time_s + dt: change = dt L(u), then u += (change + dt L(u + change)) / 2; friction
-    /// follows.
+    /// Heun's method from time_s to time_s + dt: change = dt L(u), then u += (change + dt L(u + change)) / 2; half of
+    /// the friction before it, half after.
     virtual ShallowPeak step(double time_s, double dt) = 0;
     /// Adds the fields, as they are at time_s, to the records.
     virtual void record(double time_s) = 0;

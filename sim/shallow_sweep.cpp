@@ -10,6 +10,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "sim/denormals.hpp"
 #include "sim/kernels/shallow_water.hpp"
 
 namespace waterlight {
@@ -175,10 +176,11 @@ void find_push(const Real* before_push_high, const Real* after_push_low, const R
     for (int i = 0; i < nx; ++i) push[i] = per_d * (before_push_high[i] - after_push_low[i] - force[i]);
 }
 
-// Lets nothing through faces [from, to).
+// Lets through faces [from, to) what is given. It has no velocity along the side.
 template <class Real>
-void close(const FluxRow<Real>& flux, int from, int to) {
-    std::fill(flux.mass + from, flux.mass + to, Real(0));
+void pass(const ShallowGate& gate, const FluxRow<Real>& flux, int from, int to) {
+    if (!gate.given) return;
+    std::fill(flux.mass + from, flux.mass + to, static_cast<Real>(gate.discharge_m2_s));
     std::fill(flux.along + from, flux.along + to, Real(0));
 }
 
@@ -227,8 +229,8 @@ class ShallowSweep<Real>::Band {
     void prepare(int first, int last) {
         first_ = first;
         last_ = last;
-        at_low_side_ = first == 0 && !s_.edges_.periodic_y;
-        at_high_side_ = last == s_.ny_ && !s_.edges_.periodic_y;
+        at_low_side_ = first == 0 && !s_.periodic_y_;
+        at_high_side_ = last == s_.ny_ && !s_.periodic_y_;
         lowest_ = at_low_side_ ? -1 : first - 2;
         highest_ = at_high_side_ ? last : last + 1;
         for (int r = lowest_ - 1; r < first; ++r) find_water_of(r, water_.at(r));
@@ -254,13 +256,18 @@ class ShallowSweep<Real>::Band {
         return peak_;
     }
 
+    ShallowPeak rub() {
+        for (int r = first_; r < last_; ++r) rub(r);
+        return peak_;
+    }
+
     ShallowPeak look() {
         for (int r = first_; r < last_; ++r) calm(r);
         return peak_;
     }
 
   private:
-    int wrapped(int r) const { return s_.edges_.periodic_y ? ((r % s_.ny_) + s_.ny_) % s_.ny_ : r; }
+    int wrapped(int r) const { return s_.periodic_y_ ? ((r % s_.ny_) + s_.ny_) % s_.ny_ : r; }
 
     void find_water_of(int r, const CellRow<Real>& to) {
         find_water<second>(start_, now_, change_, wrapped(r), stage_.film, to);
@@ -273,8 +280,8 @@ class ShallowSweep<Real>::Band {
                    y_low_, y_high_.at(r), y_force_.at(r));
         if (!has_flux) return;
         find_flux(y_high_.at(r - 1), y_low_, 0, s_.nx_, stage_.gravity, y_flux_.at(r));
-        if ((r == 0 && s_.edges_.closed_south) || (r == s_.ny_ && s_.edges_.closed_north))
-            close(y_flux_.at(r), 0, s_.nx_);
+        if (r == 0) pass(stage_.gates.south, y_flux_.at(r), 0, s_.nx_);
+        if (r == s_.ny_) pass(stage_.gates.north, y_flux_.at(r), 0, s_.nx_);
         find_push(y_flux_.at(r - 1).push_high, y_flux_.at(r).push_low, y_force_.at(r - 1), s_.nx_, stage_.per_dy,
                   y_push_.at(r - 1));
     }
@@ -284,8 +291,8 @@ class ShallowSweep<Real>::Band {
         find_faces(shifted(at, -1), at, shifted(at, 1), -1, s_.nx_ + 1, stage_.gravity, x_low_, x_high_, x_force_);
         const FluxRow<Real>& flux = x_flux_.at(r);
         find_flux(shifted(x_high_, -1), x_low_, 0, s_.nx_ + 1, stage_.gravity, flux);
-        if (s_.edges_.closed_west) close(flux, 0, 1);
-        if (s_.edges_.closed_east) close(flux, s_.nx_, s_.nx_ + 1);
+        pass(stage_.gates.west, flux, 0, 1);
+        pass(stage_.gates.east, flux, s_.nx_, s_.nx_ + 1);
         find_push(flux.push_high, flux.push_low + 1, x_force_, s_.nx_, stage_.per_dx, x_push_.at(r));
     }
 
@@ -314,8 +321,8 @@ class ShallowSweep<Real>::Band {
             const Real loss = dt * (per_dx * (x[i + 1] - x[i]) + per_dy * (y1[i] - y[i]));
             cuts |= drain[i] < 1 || loss > Real(0.75) * h[i] ? 1 : 0;
         }
-        drain[-1] = s_.edges_.periodic_x ? drain[s_.nx_ - 1] : Real(1);
-        drain[s_.nx_] = s_.edges_.periodic_x ? drain[0] : Real(1);
+        drain[-1] = s_.periodic_x_ ? drain[s_.nx_ - 1] : Real(1);
+        drain[s_.nx_] = s_.periodic_x_ ? drain[0] : Real(1);
         drains_.at(r) = cuts != 0;
     }
 
@@ -452,8 +459,8 @@ class ShallowSweep<Real>::Band {
 };
 
 template <class Real>
-ShallowSweep<Real>::ShallowSweep(int nx, int ny, const ShallowEdges& edges)
-    : nx_(nx), ny_(ny), edges_(edges), carry_(nx, ny) {}
+ShallowSweep<Real>::ShallowSweep(int nx, int ny, bool periodic_x, bool periodic_y)
+    : nx_(nx), ny_(ny), periodic_x_(periodic_x), periodic_y_(periodic_y), carry_(nx, ny) {}
 
 template <class Real>
 template <bool second, class Now, class Change, class Work>
@@ -469,6 +476,7 @@ ShallowPeak ShallowSweep<Real>::in_bands(const ShallowStage<Real>& stage, const 
     const auto edge = [&](int n) { return static_cast<int>(static_cast<std::int64_t>(ny_) * n / count); };
 #pragma omp parallel num_threads(count)
     {
+        const DenormalsAreZero guard;
 #pragma omp for schedule(static, 1)
         for (int b = 0; b < count; ++b) bands[static_cast<std::size_t>(b)].prepare(edge(b), edge(b + 1));
 #pragma omp for schedule(static, 1)
@@ -480,6 +488,12 @@ ShallowPeak ShallowSweep<Real>::in_bands(const ShallowStage<Real>& stage, const 
         peak.finite = peak.finite && p.finite;
     }
     return peak;
+}
+
+template <class Real>
+void ShallowSweep<Real>::rub(const ShallowStage<Real>& stage, const ShallowStart<Real>& start,
+                             const ShallowFields<Real>& change, ShallowFields<Real>& now) {
+    in_bands<true>(stage, start, now, change, [](Band<true>& band) { return band.rub(); });
 }
 
 template <class Real>

@@ -13,14 +13,20 @@ namespace waterlight {
 template <class Real>
 class ShallowSweep {
   public:
-    ShallowSweep(int nx, int ny, const ShallowEdges& edges);
+    /// `periodic_*`: the frame along that axis is what lies on the other side.
+    ShallowSweep(int nx, int ny, bool periodic_x, bool periodic_y);
+
+    /// The friction before the step.
+    void rub(const ShallowStage<Real>& stage, const ShallowStart<Real>& start, const ShallowFields<Real>& change,
+             ShallowFields<Real>& now);
 
     /// Heun's first stage: change = dt L(now). The depth of now + change stays at or above 0, and what leaves a cell
     /// enters its neighbours. The frames of `start` and `now` are filled.
     void first_stage(const ShallowStage<Real>& stage, const ShallowStart<Real>& start, const ShallowFields<Real>& now,
                      ShallowFields<Real>& change);
 
-    /// The second: now += (change + dt L(now + change)) / 2, then friction. The frame of `change` is filled too.
+    /// The second: now += (change + dt L(now + change)) / 2, then the friction after it. The frame of `change` is
+    /// filled too.
     ShallowPeak second_stage(const ShallowStage<Real>& stage, const ShallowStart<Real>& start,
                              const ShallowFields<Real>& change, ShallowFields<Real>& now);
 
@@ -37,7 +43,7 @@ class ShallowSweep {
                          Work work);
 
     int nx_, ny_;
-    ShallowEdges edges_;
+    bool periodic_x_, periodic_y_;
     /// What rounding has kept from the rise so far, to be given back with the next step: else what a film gives to deep
     /// water would be lost, and in single precision the volume would drift.
     Field<Real> carry_;

@@ -19,13 +19,15 @@ class RowSolver final : public ShallowSolver<Real> {
   public:
     explicit RowSolver(const ShallowWaterSettings& s)
         : constants_(s),
-          frames_(s.grid, s.sides, s.water.gravity_m_s2, constants_.film),
+          sides_(s.sides),
+          frames_(s.grid, s.water.gravity_m_s2, constants_.film),
           start_(s.grid.nx, s.grid.ny),
           now_(s.grid.nx, s.grid.ny),
           change_(s.grid.nx, s.grid.ny),
-          sweep_(s.grid.nx, s.grid.ny, edges_of(s.sides)) {
+          sweep_(s.grid.nx, s.grid.ny, std::holds_alternative<PeriodicSide>(s.sides.west),
+                 std::holds_alternative<PeriodicSide>(s.sides.south)) {
         set_start(s, start_, now_);
-        frames_.fill(start_);
+        frames_.fill(side_demands(sides_, {0, 0, 0}), start_);
         if (s.keep_records) records_ = empty_records(s.grid.nx, s.grid.ny);
     }
 
@@ -37,10 +39,17 @@ class RowSolver final : public ShallowSolver<Real> {
     }
 
     ShallowPeak step(double time_s, double dt) override {
-        const ShallowStage<Real> stage = constants_.stage<Real>(dt);
+        const double end_s = time_s + dt;
+        const SideDemands first = side_demands(sides_, {time_s, time_s, end_s});
+        const SideDemands second = side_demands(sides_, {end_s, time_s, end_s});
+        ShallowStage<Real> stage = constants_.stage<Real>(dt);
+        if (stage.friction > 0) sweep_.rub(stage, start_, change_, now_);
+        if (stage.friction > 0 || has_series(sides_)) frames_.fill(first, start_, now_);
+        stage.gates = gates_of(first);
         sweep_.first_stage(stage, start_, now_, change_);
-        frames_.fill(start_, time_s + dt, now_, change_);
-        return with_sides(time_s + dt, sweep_.second_stage(stage, start_, change_, now_));
+        frames_.fill(second, start_, now_, change_);
+        stage.gates = gates_of(second);
+        return with_sides(end_s, sweep_.second_stage(stage, start_, change_, now_));
     }
 
     void record(double time_s) override { add_records(constants_, start_, now_, time_s, records_); }
@@ -48,11 +57,12 @@ class RowSolver final : public ShallowSolver<Real> {
 
   private:
     ShallowPeak with_sides(double time_s, ShallowPeak inside) {
-        const double rate = frames_.fill(start_, time_s, now_);
+        const double rate = frames_.fill(side_demands(sides_, {time_s, time_s, time_s}), start_, now_);
         return {std::max(inside.rate, rate), inside.finite && std::isfinite(rate)};
     }
 
     ShallowConstants constants_;
+    ShallowSides sides_;
     ShallowFrames<Real> frames_;
     ShallowStart<Real> start_;
     ShallowFields<Real> now_, change_;

@@ -57,7 +57,7 @@ class VulkanSolver final : public ShallowSolver<float> {
         for (gpu::Pass* pass : {&flux_, &update_, &frame_})
             pass->bind({&start_buffer_, &now_, &change_, &flux_x_, &flux_y_, &peak_});
         set_start(s, start_, fields_);
-        ShallowFrames<float>(s.grid, s.sides, constants_.gravity, constants_.film).fill(start_);
+        ShallowFrames<float>(s.grid, constants_.gravity, constants_.film).fill(side_demands(sides_, {0, 0, 0}), start_);
         const std::span<glm::vec2> start = start_buffer_.host<glm::vec2>();
         for_cells([&](int i, int j, std::size_t at) {
             start[at] = {start_.surface.row(j)[i], start_.depth.row(j)[i]};
@@ -85,7 +85,7 @@ class VulkanSolver final : public ShallowSolver<float> {
 
     ShallowPeak look(double time_s) override {
         if (fields_are_new_) upload_fields();
-        ShallowParameters parameters = this->parameters(time_s, 0);
+        const ShallowParameters parameters = this->parameters({time_s, time_s, time_s}, 0, 0);
         commands_.clear(peak_);
         commands_.dispatch(update_, cells_extent(), parameters);
         commands_.dispatch(frame_, frame_extent(), parameters);
@@ -93,18 +93,21 @@ class VulkanSolver final : public ShallowSolver<float> {
     }
 
     ShallowPeak step(double time_s, double dt) override {
-        ShallowParameters parameters = this->parameters(time_s + dt, dt);
+        const double end_s = time_s + dt;
+        const ShallowMoment begin{time_s, time_s, end_s}, end{end_s, time_s, end_s}, after{end_s, end_s, end_s};
+        const bool rubs = constants_.manning > 0;
+        if (rubs) commands_.dispatch(update_, cells_extent(), parameters(begin, dt, 3));
+        if (rubs || has_series(sides_)) commands_.dispatch(frame_, frame_extent(), parameters(begin, dt, 0));
         commands_.clear(peak_);
-        for (parameters.stage = 1; parameters.stage <= 2; ++parameters.stage) {
-            commands_.dispatch(flux_, faces_extent(), parameters);
-            commands_.dispatch(update_, cells_extent(), parameters);
-            commands_.dispatch(frame_, frame_extent(), parameters);
-        }
+        dispatch_stage(parameters(begin, dt, 1), parameters(end, dt, 1));
+        dispatch_stage(parameters(end, dt, 2), parameters(after, dt, 2));
         return run();
     }
 
     /// Runs with the next step.
-    void record(double time_s) override { commands_.dispatch(*record_, cells_extent(), parameters(time_s, 0)); }
+    void record(double time_s) override {
+        commands_.dispatch(*record_, cells_extent(), parameters({time_s, time_s, time_s}, 0, 0));
+    }
 
     const ShallowRecords& records() override {
         commands_.download(*records_buffer_);
@@ -158,8 +161,15 @@ class VulkanSolver final : public ShallowSolver<float> {
     gpu::Extent faces_extent() const { return extent(nx_ + 1, ny_ + 1, 1); }
     gpu::Extent frame_extent() const { return extent(std::max(nx_, ny_), frame, 4); }
 
-    /// With the sides as they are at time_s.
-    ShallowParameters parameters(double time_s, double dt) const {
+    /// A stage, and the frame of what it leads to.
+    void dispatch_stage(const ShallowParameters& stage, const ShallowParameters& reached) {
+        commands_.dispatch(flux_, faces_extent(), stage);
+        commands_.dispatch(update_, cells_extent(), stage);
+        commands_.dispatch(frame_, frame_extent(), reached);
+    }
+
+    /// With the sides as they are at that moment.
+    ShallowParameters parameters(const ShallowMoment& moment, double dt, int stage_number) const {
         const ShallowStage<float> stage = constants_.stage<float>(dt);
         ShallowParameters p{.nx = nx_,
                             .ny = ny_,
@@ -171,10 +181,10 @@ class VulkanSolver final : public ShallowSolver<float> {
                             .friction = stage.friction,
                             .wet = static_cast<float>(constants_.wet),
                             .datum = static_cast<float>(start_.datum_m),
-                            .time = static_cast<float>(time_s),
-                            .stage = 0,
+                            .time = static_cast<float>(moment.at_s),
+                            .stage = stage_number,
                             .sides = {}};
-        const SideDemands demands = side_demands(sides_, time_s);
+        const SideDemands demands = side_demands(sides_, moment);
         std::ranges::transform(demands, p.sides, [&](const f64::SideDemand& d) {
             const bool is_level = d.kind == BEYOND_LEVEL || d.kind == BEYOND_FLOW;
             const double value = is_level ? d.value - start_.datum_m : d.value;

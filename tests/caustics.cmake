@@ -4,3 +4,7 @@ waterlight_test(floor_map_test
 waterlight_test(truth_test
     SOURCES laws/truth_test.cpp
     LIBRARIES waterlight::caustics)
+waterlight_test(beams_test
+    SOURCES laws/beams_kernel.cpp laws/beams_grid.cpp laws/beams_volume.cpp
+        laws/beams_image.cpp
+    LIBRARIES waterlight::caustics)

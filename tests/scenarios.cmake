@@ -1,6 +1,7 @@
 # The scenario reader.
 waterlight_test(scenario_test
     SOURCES
+        unit/scenario_beams_test.cpp
         unit/scenario_build_shallow_test.cpp
         unit/scenario_errors_test.cpp
         unit/scenario_overrides_test.cpp

@@ -3,7 +3,7 @@
 // of the same name beside it. A shader includes sim/kernels/real.glsl instead. In a text:
 //   - start each function with KERNEL; return structs, take no out parameters;
 //   - write every number as real(0.5), so that float code stays float;
-//   - call min, max, abs, sqrt, cbrt, exp, floor, clamp, tanh, sin, cos, dot, cross unqualified.
+//   - call min, max, abs, sqrt, cbrt, exp, pow, floor, clamp, tanh, sin, cos, dot, cross unqualified.
 #pragma once
 
 #include <bit>
@@ -26,6 +26,18 @@ static inline float cube_root(float x) {
 }
 static inline double cube_root(double x) { return std::cbrt(x); }
 
+/// e^x to 2e-7, and not below 1e-38: 2^n e^r with n whole and |r| <= ln 2 / 2, the second by its Taylor series. GCC
+/// vectorises it, and not std::exp. A NaN stays one.
+static inline float exponential(float x) {
+    const float held = x < -87 ? -87 : (x > 88 ? 88 : x);
+    const float n = std::floor(held * 1.44269504F + 0.5F);
+    const float r = held - n * 0.693359375F + n * 2.12194440e-4F;
+    const float series =
+        1 + r * (1 + r * (0.5F + r * (1.0F / 6 + r * (1.0F / 24 + r * (1.0F / 120 + r * (1.0F / 720))))));
+    return series * std::bit_cast<float>((static_cast<std::int32_t>(n) + 127) << 23);
+}
+static inline double exponential(double x) { return std::exp(x); }
+
 }  // namespace waterlight
 
 // By value and without references: GCC vectorises these, and not std::min.
@@ -42,7 +54,8 @@ static inline double cube_root(double x) { return std::cbrt(x); }
     KERNEL real abs(real x) { return std::abs(x); }                             \
     KERNEL real sqrt(real x) { return std::sqrt(x); }                           \
     KERNEL real cbrt(real x) { return waterlight::cube_root(x); }               \
-    KERNEL real exp(real x) { return std::exp(x); }                             \
+    KERNEL real exp(real x) { return waterlight::exponential(x); }              \
+    KERNEL real pow(real x, real y) { return std::pow(x, y); }                  \
     KERNEL real floor(real x) { return std::floor(x); }                         \
     KERNEL real tanh(real x) { return std::tanh(x); }                           \
     KERNEL real sin(real x) { return std::sin(x); }                             \

@@ -154,7 +154,8 @@ KERNEL real kept_flow(real h, real left) {
 // What a step of dt leaves of the discharge under Manning's friction, q_t = -g n^2 |q| q / h^(7/3), solved exactly.
 KERNEL real friction_part(real h, real discharge, real g_n2_dt, real film) {
     real m = max(h, film);
-    return real(1) / (real(1) + g_n2_dt * discharge / (m * m * cbrt(m)));
+    // The power must not fall below what single precision holds.
+    return real(1) / (real(1) + g_n2_dt * discharge / max(m * m * cbrt(m), real(1e-37)));
 }
 
 // Rate (1/s) at which the fastest waves cross a cell, both axes added: the Courant number of a step dt is dt times it.

@@ -37,10 +37,15 @@ Faces faces(CellWater before, CellWater at, CellWater after) {
                  FaceWater(at.e + e.high, face_depth(at.h, e.high - ground), at.u + u.high, at.v + v.high));
 }
 
-// Whether the low face of cell k of `cells` is a wall, which no water passes, not even by rounding.
-bool is_closed(int k, int cells, int low_side) {
-    return (k == 0 && p.sides[low_side].kind == BEYOND_WALL) ||
-           (k == cells && p.sides[low_side + 1].kind == BEYOND_WALL);
+// Mass and momentum along the low face of cell k of `cells`. At walls and rivers they are given and not what comes out
+// between inside and frame.
+vec2 passing(FaceFlux flux, int k, int cells, int low_side) {
+    if (k > 0 && k < cells) return vec2(flux.mass, flux.along);
+    int side = k == 0 ? low_side : low_side + 1;
+    real inward = k == 0 ? 1 : -1;
+    if (p.sides[side].kind == BEYOND_WALL) return vec2(0);
+    if (p.sides[side].kind == BEYOND_DISCHARGE) return vec2(inward * p.sides[side].value, 0);
+    return vec2(flux.mass, flux.along);
 }
 
 vec4 low_flux(int i, int j, bool along_y) {
@@ -53,9 +58,8 @@ vec4 low_flux(int i, int j, bool along_y) {
     Faces here = faces(w1, w2, w3);
     FaceFlux f = shallow_flux(before.high, here.low, p.gravity);
     real force = surface_force(p.gravity, here.low.h, here.high.h, here.low.e, here.high.e);
-    bool closed = along_y ? is_closed(j, p.ny, 2) : is_closed(i, p.nx, 0);
-    vec2 passing = closed ? vec2(0) : vec2(f.mass, f.along);
-    return vec4(passing, f.push_low, f.push_high - force);
+    vec2 passes = along_y ? passing(f, j, p.ny, 2) : passing(f, i, p.nx, 0);
+    return vec4(passes, f.push_low, f.push_high - force);
 }
 
 void main() {

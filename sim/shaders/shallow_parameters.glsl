@@ -12,6 +12,6 @@ struct ShallowParameters {
     float wet;    // ShallowWaterSettings::wet_m
     float datum;  // of the surface, m above level 0
     float time;   // s since the start
-    int stage;    // 1 and 2: the stages of a step; 0: a look at what is there
+    int stage;    // 1 and 2: the stages of a step; 3: the friction before it; 0: a look at what is there
     SideDemand sides[4];  // west, east, south, north; levels are above the datum
 };

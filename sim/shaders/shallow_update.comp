@@ -75,6 +75,11 @@ void first_stage(int k, vec3 reached) {
     change[k] = vec4(rise, reached.yz, next < 0 ? 0 : next);  // a NaN stays
 }
 
+// What half of the step's friction leaves of discharge q.
+real rubbed(real h, vec2 q) {
+    return p.friction > 0 ? friction_part(h, length(q), p.friction, p.film) : 1;
+}
+
 void second_stage(int k, vec3 reached) {
     vec4 before = now[k];
     real empty = -start[k].y;
@@ -83,7 +88,7 @@ void second_stage(int k, vec3 reached) {
     precise real next = level < empty ? empty : level;  // a NaN stays
     precise real carry = wanted - (next - before.x);
     vec2 q = 0.5 * (before.yz + reached.yz);
-    if (p.friction > 0) q *= friction_part(start[k].y + next, length(q), p.friction, p.film);
+    q *= rubbed(start[k].y + next, q);
     now[k] = vec4(next, q, carry);
 }
 
@@ -98,16 +103,17 @@ uint settle(int k) {
 
 uint update(int i, int j) {
     int k = at(i, j);
+    if (p.stage == 3) now[k].yz *= rubbed(start[k].y + now[k].x, now[k].yz);
     if (p.stage == 1) first_stage(k, advanced(i, j));
     if (p.stage == 2) second_stage(k, advanced(i, j));
-    return p.stage == 1 ? 0 : settle(k);
+    return p.stage == 1 || p.stage == 3 ? 0 : settle(k);
 }
 
 void main() {
     int i = int(gl_GlobalInvocationID.x);
     int j = int(gl_GlobalInvocationID.y);
     uint rate = i < p.nx && j < p.ny ? update(i, j) : 0;
-    if (p.stage == 1) return;
+    if (p.stage == 1 || p.stage == 3) return;
     if (gl_LocalInvocationIndex == 0) fastest = 0;
     barrier();
     atomicMax(fastest, rate);

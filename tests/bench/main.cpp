@@ -6,6 +6,7 @@
 #include "caustics/floor_vulkan.hpp"
 #include "gpu/error.hpp"
 #include "sim/shallow_water_vulkan.hpp"
+#include "tests/bench/beams.hpp"
 #include "tests/bench/floor_two_pass.hpp"
 #include "tests/bench/waves_shallow_water.hpp"
 
@@ -34,6 +35,7 @@ void register_vulkan() {
 int main(int argc, char** argv) {
     bench::register_floor("cpu", make_floor_cpu);
     bench::register_shallow("cpu", make_shallow_water<float>);
+    bench::register_beams();
     register_vulkan();
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;

@@ -55,8 +55,7 @@ class ShallowVolume : public ::testing::Test {
             deepest = std::max(deepest, largest(*model, grid, depth));
         }
         ASSERT_GT(model->steps(), 0) << what;
-        EXPECT_NEAR(model->totals().volume_m3, before,
-                    bound_m3(grid, deepest, static_cast<double>(model->steps())))
+        EXPECT_NEAR(model->totals().volume_m3, before, bound_m3(grid, deepest, static_cast<double>(model->steps())))
             << what << " after " << model->steps() << " steps";
     }
 };
@@ -90,11 +89,10 @@ TYPED_TEST(ShallowVolume, DropsIntoDryAndNearlyDryCells) {
     ShallowWaterSettings settings;
     settings.grid = make_grid(30, 24, 3, 2.4);
     settings.bed_m = field_of(settings.grid, [&](int, int) { return random.uniform(-0.02, 0.02); });
-    settings.depth_m = field_of(settings.grid, [&](int, int) {
-        return random.uniform() < 0.5 ? 0 : power_of_ten(random, -9, -1);
-    });
-    settings.sources = {Rain{40, {0.05, 0.3}, {-0.2, 0.2}, 0, 1e30, 3}, Drop{{1, 1}, 0.5, -5, 0}, Drop{{2, 1}, 0.5, 5, 0.1},
-                        Wavemaker{{0, 1.2}, {3, 1.2}, 0.02, 0.4}};
+    settings.depth_m =
+        field_of(settings.grid, [&](int, int) { return random.uniform() < 0.5 ? 0 : power_of_ten(random, -9, -1); });
+    settings.sources = {Rain{40, {0.05, 0.3}, {-0.2, 0.2}, 0, 1e30, 3}, Drop{{1, 1}, 0.5, -5, 0},
+                        Drop{{2, 1}, 0.5, 5, 0.1}, Wavemaker{{0, 1.2}, {3, 1.2}, 0.02, 0.4}};
     settings.depth_m(15, 12) = 0.1;
     for (const auto& sides : {walled, periodic_all}) {
         settings.sides = sides;

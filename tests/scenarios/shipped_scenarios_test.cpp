@@ -47,6 +47,7 @@ fs::path path_of(const Shipped& shipped) { return folder / (std::string(shipped.
 /// Whether the measured data is there that the scenario needs.
 bool has_data(const Shipped& shipped) {
     const std::map<std::string, const char*> needed{{"buoy_41010", "ndbc/41010.data_spec"},
+                                                    {"open_sea_below", "ndbc/41010.data_spec"},
                                                     {"monai_valley", "nthmp/monai_bathymetry.txt"}};
     const auto file = needed.find(shipped.name);
     if (file == needed.end()) return true;
@@ -56,6 +57,13 @@ bool has_data(const Shipped& shipped) {
 
 /// Whether it draws the light.
 bool has_floor(const Shipped& shipped) { return read_scenario(path_of(shipped)).floor.has_value(); }
+
+bool has_volume(const Shipped& shipped) {
+    const Scenario scenario = read_scenario(path_of(shipped));
+    return scenario.beams && scenario.beams->volume_cells;
+}
+
+bool has_camera(const Shipped& shipped) { return read_scenario(path_of(shipped)).camera.has_value(); }
 
 /// Whether there is something that Vulkan computes.
 bool has_vulkan_part(const Shipped& shipped) {
@@ -82,7 +90,11 @@ const std::vector<Shipped> all{{"pool", "2.0"},
                                {"monai_valley", "7.5", OnSoftware::none},
                                {"beach_runup", "13.0", OnSoftware::none},
                                {"tidal_pool", "2.0", OnSoftware::opening},
-                               {"surf_zone", "4.0", OnSoftware::opening}};
+                               {"surf_zone", "4.0", OnSoftware::opening},
+                               {"shafts", "1.0"},
+                               {"pool_side", "2.0"},
+                               {"open_sea_below", "2.0"},
+                               {"harbour", "1.0"}};
 
 class ShippedScenario : public ::testing::TestWithParam<Shipped> {
   protected:
@@ -107,6 +119,8 @@ TEST_P(ShippedScenario, MeetsItsChecksOnTheCpu) {
     EXPECT_TRUE(fs::exists(out / "out/images/elevation_000000.png"));
     EXPECT_EQ(fs::exists(out / "out/floor.pvd"), has_floor(GetParam()));
     EXPECT_EQ(fs::exists(out / "out/images/irradiance_000000.png"), has_floor(GetParam()));
+    EXPECT_EQ(fs::exists(out / "out/volume.pvd"), has_volume(GetParam()));
+    EXPECT_EQ(fs::exists(out / "out/images/radiance_000000.png"), has_camera(GetParam()));
 }
 
 TEST_P(ShippedScenario, MeetsItsChecksOnVulkanWithValidationSilent) {

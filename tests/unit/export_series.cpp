@@ -52,6 +52,22 @@ Surface moving_surface(int nx, int ny) {
     return surface;
 }
 
+TEST(Vti, FieldsInTheWaterLieFromTheFloorToStillWater) {
+    const TemporaryFolder folder;
+    const Field<float> plane = noise(5, 4 * 3, 7), scalar = noise(5, 4 * 3, 8);
+    write_vti(folder / "v.vti", volume_frame({{10, 8, 0.1, 0.2, -3.0, 5.0}, 6.0, 2.5}, {5, 4, 3}, plane, scalar),
+              Compression::lz4);
+    const auto reader = read(folder / "v.vti");
+    vtkImageData* image = reader->GetOutput();
+    EXPECT_EQ(image->GetDimensions()[2], 4);
+    EXPECT_DOUBLE_EQ(image->GetOrigin()[2], -6);
+    EXPECT_DOUBLE_EQ(image->GetSpacing()[0], 0.2);
+    EXPECT_DOUBLE_EQ(image->GetSpacing()[1], 0.4);
+    EXPECT_DOUBLE_EQ(image->GetSpacing()[2], 2);
+    EXPECT_TRUE(same_bits(image->GetCellData()->GetArray("plane_irradiance"), 0, plane));
+    EXPECT_TRUE(same_bits(image->GetCellData()->GetArray("scalar_irradiance"), 0, scalar));
+}
+
 TEST(Vti, EveryBitOfTheSurfaceComesBackThroughVtk) {
     const Surface surface = moving_surface(301, 77);
     for (const Compression compression : compressions) {

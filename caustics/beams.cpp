@@ -1,0 +1,181 @@
+#include "caustics/beams.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "caustics/beam_capture.hpp"
+#include "caustics/kernels/optics.hpp"
+#include "sim/error.hpp"
+
+namespace waterlight {
+
+namespace {
+
+void validate(const BeamSettings& s) {
+    if (s.grid.x < 1 || s.grid.y < 1)
+        throw InputError(fmt::format("beams: the grid is {} x {} cells; at least 1 x 1", s.grid.x, s.grid.y));
+    if (s.window && !(s.window->size_m.x > 0 && s.window->size_m.y > 0))
+        throw InputError("beams: the window's size must be above 0");
+    if (!(s.depth_m > 0)) throw InputError("beams: the depth must be above 0");
+    if (!(s.optics.refractive_index >= 1)) throw InputError("beams: the refractive index must be at least 1");
+    if (!(s.optics.extinction_per_m() >= 0)) throw InputError("beams: absorption and scattering must be at least 0");
+    if (!(s.least_cosine >= 0 && s.least_cosine < 1)) throw InputError("beams: least_cosine must be in [0, 1)");
+}
+
+/// How far light strays from where still water would send it, per metre of descent: the most of any cell.
+double largest_stray(glm::vec3 sun, float index, glm::vec2 rest, const Surface& surface) {
+    float stray = 0;
+#pragma omp parallel for schedule(static) reduction(max : stray)
+    for (int j = 0; j < surface.grid.ny; ++j) {
+        const float *x = surface.slope_x.row(j), *y = surface.slope_y.row(j);
+        for (int i = 0; i < surface.grid.nx; ++i) {
+            const f32::Refraction r = f32::refract_sun(sun, {x[i], y[i]}, index, 1);
+            if (r.incident > 0) stray = std::max(stray, glm::length(r.travel - rest));
+        }
+    }
+    return stray;
+}
+
+/// The least window whose light reaches all of the water below the domain. Light from beyond an absorbing side does.
+BeamWindow window_over(const BeamSettings& s, const Surface& surface, const SurfaceCapture& capture) {
+    const Grid& g = surface.grid;
+    const glm::dvec3 sun = s.sun.direction();
+    const glm::dvec2 rest = f64::refract_sun(sun, {0, 0}, s.optics.refractive_index, 1).travel;
+    const double stray =
+        largest_stray(glm::vec3(sun), static_cast<float>(s.optics.refractive_index), glm::vec2(rest), surface);
+    const glm::dvec2 rise =
+        glm::abs(capture.slant()) * std::max(std::abs(capture.lowest_m()), std::abs(capture.highest_m()));
+    glm::dvec2 low{g.x0_m, g.y0_m}, high = low + glm::dvec2{g.width_m(), g.height_m()};
+    const Side sides[2] = {surface.boundary.x, surface.boundary.y};
+    for (int axis = 0; axis < 2; ++axis) {
+        if (sides[axis] == Side::periodic) continue;
+        low[axis] -= rise[axis];
+        high[axis] += rise[axis];
+        if (sides[axis] == Side::wall) continue;
+        low[axis] -= s.depth_m * (std::max(0.0, rest[axis]) + stray);
+        high[axis] += s.depth_m * (std::max(0.0, -rest[axis]) + stray);
+    }
+    return {low, high - low};
+}
+
+void resize(Beams& beams, glm::ivec2 grid) {
+    if (beams.nx == grid.x && beams.ny == grid.y) return;
+    beams.nx = grid.x;
+    beams.ny = grid.y;
+    for (Field<float>* f :
+         {&beams.x, &beams.y, &beams.z, &beams.travel_x, &beams.travel_y, &beams.path, &beams.transmittance})
+        *f = Field<float>(grid.x + 1, grid.y + 1);
+    beams.flux = Field<float>(2 * grid.x, grid.y);
+}
+
+/// Captures and refracts row j of the corners.
+void fill_row(const BeamSettings& s, const SurfaceCapture& capture, const BeamWindow& window, int j, Beams& beams) {
+    const glm::vec3 sun(s.sun.direction());
+    const float index = static_cast<float>(s.optics.refractive_index), fresnel = s.optics.fresnel ? 1 : 0;
+    const glm::dvec2 pitch = window.size_m / glm::dvec2(s.grid);
+    for (int i = 0; i <= s.grid.x; ++i) {
+        const CapturedPoint p = capture.capture(window.origin_m + pitch * glm::dvec2{i, j});
+        const f32::Refraction r = f32::refract_sun(sun, glm::vec2(p.slope), index, fresnel);
+        beams.x(i, j) = static_cast<float>(p.at_m.x);
+        beams.y(i, j) = static_cast<float>(p.at_m.y);
+        beams.z(i, j) = static_cast<float>(p.at_m.z);
+        beams.travel_x(i, j) = r.travel.x;
+        beams.travel_y(i, j) = r.travel.y;
+        beams.path(i, j) = r.path;
+        beams.transmittance(i, j) = r.transmittance;
+    }
+}
+
+bool in_domain(const Beams& b, glm::dvec2 p) {
+    const Grid& g = b.domain;
+    const bool x = b.boundary.x == Side::periodic || (p.x >= g.x0_m && p.x <= g.x0_m + g.width_m());
+    const bool y = b.boundary.y == Side::periodic || (p.y >= g.y0_m && p.y <= g.y0_m + g.height_m());
+    return x && y;
+}
+
+/// The flux of each beam of row j, and what becomes of it. Light that lands is counted where its middle lands.
+BeamLedger charge_row(const BeamSettings& s, int j, Beams& beams) {
+    const glm::dvec3 sun = s.sun.direction();
+    const double e0 = s.sun.elevation_deg > 0 ? s.sun.irradiance_w_m2 : 0;
+    BeamLedger ledger;
+    for (int b = 0; b < 2 * beams.nx; ++b) {
+        std::array<glm::dvec3, 3> v;
+        glm::dvec2 landed{0, 0};
+        double transmittance = 0, remaining = 0;
+        for (int k = 0; k < 3; ++k) {
+            const int i = corners_of(b, j)[k].x, row = corners_of(b, j)[k].y;
+            v[k] = {beams.x(i, row), beams.y(i, row), beams.z(i, row)};
+            const double descent = std::max(0.0, v[k].z + s.depth_m);
+            landed += (glm::dvec2(v[k]) + descent * glm::dvec2{beams.travel_x(i, row), beams.travel_y(i, row)}) / 3.0;
+            transmittance += beams.transmittance(i, row) / 3.0;
+            remaining += f64::beer_lambert(beams.extinction_per_m, descent * beams.path(i, row)) / 3;
+        }
+        const glm::dvec3 area = 0.5 * glm::cross(v[1] - v[0], v[2] - v[0]);
+        const double facing = -glm::dot(sun, area), incident = e0 * std::abs(facing);
+        ledger.incident_w += incident;
+        if (!(facing > s.least_cosine * glm::length(area))) {
+            ledger.discarded_w += incident;
+            beams.flux(b, j) = 0;
+            continue;
+        }
+        const double flux = incident * transmittance;
+        beams.flux(b, j) = static_cast<float>(flux);
+        ledger.reflected_w += incident - flux;
+        ledger.extinguished_w += flux * (1 - remaining);
+        (in_domain(beams, landed) ? ledger.floor_w : ledger.outside_w) += flux * remaining;
+    }
+    return ledger;
+}
+
+}  // namespace
+
+BeamLedger operator+(BeamLedger a, const BeamLedger& b) {
+    a.incident_w += b.incident_w;
+    a.reflected_w += b.reflected_w;
+    a.extinguished_w += b.extinguished_w;
+    a.floor_w += b.floor_w;
+    a.outside_w += b.outside_w;
+    a.discarded_w += b.discarded_w;
+    return a;
+}
+
+double BeamLedger::closure() const {
+    const double accounted = reflected_w + extinguished_w + floor_w + outside_w + discarded_w;
+    return incident_w > 0 ? std::abs(incident_w - accounted) / incident_w : 0;
+}
+
+void make_beams(const BeamSettings& settings, const Surface& surface, Beams& beams) {
+    validate(settings);
+    BeamSettings s = settings;
+    if (!(s.sun.elevation_deg > 0)) s.sun = {90, 0, 0};
+    resize(beams, s.grid);
+    beams.domain = surface.grid;
+    beams.boundary = surface.boundary;
+    beams.depth_m = s.depth_m;
+    beams.extinction_per_m = s.optics.extinction_per_m();
+    beams.time_s = surface.time_s;
+
+    const double reach = s.window ? glm::length(s.window->size_m + glm::abs(s.window->origin_m)) : 0;
+    const SurfaceCapture capture(surface, s.sun.direction(), reach);
+    const BeamWindow window = s.window.value_or(window_over(s, surface, capture));
+    std::vector<BeamLedger> rows(s.grid.y);
+#pragma omp parallel
+    {
+#pragma omp for schedule(static)
+        for (int j = 0; j <= s.grid.y; ++j) fill_row(s, capture, window, j, beams);
+#pragma omp for schedule(static)
+        for (int j = 0; j < s.grid.y; ++j) rows[j] = charge_row(s, j, beams);
+    }
+    beams.ledger = {};
+    for (const BeamLedger& row : rows) beams.ledger = beams.ledger + row;
+    const auto [low, high] = std::minmax_element(beams.z.values().begin(), beams.z.values().end());
+    beams.lowest_m = *low;
+    beams.highest_m = *high;
+}
+
+}  // namespace waterlight

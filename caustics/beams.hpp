@@ -1,0 +1,79 @@
+// Beams of refracted light: a grid projected from the sun onto the surface, each of its triangles the base of a warped
+// prism of light that ends at the floor. The formulas are in kernels/beams.glsl, with their source.
+#pragma once
+
+#include <array>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "caustics/light.hpp"
+#include "sim/surface.hpp"
+
+namespace waterlight {
+
+/// A rectangle of the plane z = 0 that the sun's rays cross on their way to the surface.
+struct BeamWindow {
+    glm::dvec2 origin_m{0, 0};
+    glm::dvec2 size_m{1, 1};
+};
+
+struct BeamSettings {
+    glm::ivec2 grid{128, 128};         ///< cells, each of two beams, >= 1
+    std::optional<BeamWindow> window;  ///< none: all that lights the domain
+    double depth_m = 1;                ///< floor at z = -depth, > 0
+    Sun sun;
+    WaterOptics optics;
+    /// Triangles that face the sun less than this are discarded (the paper's heuristic), in [0, 1).
+    double least_cosine = 0.02;
+};
+
+/// Where the light on the grid went, in watts. incident = reflected + extinguished + floor + outside + discarded.
+struct BeamLedger {
+    double incident_w = 0;
+    double reflected_w = 0;
+    double extinguished_w = 0;  ///< absorbed or scattered on the way down
+    double floor_w = 0;
+    double outside_w = 0;    ///< landed beyond the domain's sides
+    double discarded_w = 0;  ///< on triangles that turn away from the sun
+    /// |what is unaccounted for| / incident; 0 where there is no light.
+    double closure() const;
+};
+
+BeamLedger operator+(BeamLedger a, const BeamLedger& b);
+
+/// The beams of one surface. Corners are shared: corner (i, j) is at the grid's column i of 0 .. nx, row j of 0 .. ny.
+/// Cell (i, j) has beam 2 i with corners (i, j), (i + 1, j), (i + 1, j + 1) and beam 2 i + 1 with corners (i, j),
+/// (i + 1, j + 1), (i, j + 1).
+struct Beams {
+    int nx = 0;
+    int ny = 0;
+    Grid domain;  ///< what the beams light; periodic sides repeat them
+    Boundary boundary;
+    double depth_m = 1;
+    double extinction_per_m = 0;
+    double time_s = 0;
+
+    Field<float> x, y, z;               ///< corners on the surface, m
+    Field<float> travel_x, travel_y;    ///< metres per metre of descent
+    Field<float> path;                  ///< metres of way per metre of descent
+    Field<float> transmittance;         ///< Fresnel
+    Field<float> flux;                  ///< of each beam just below the surface, W; 0 where discarded
+    float lowest_m = 0, highest_m = 0;  ///< of z
+    BeamLedger ledger;
+};
+
+/// The corners of beam b (2 i or 2 i + 1) in row j as {column, row}.
+inline std::array<glm::ivec2, 3> corners_of(int b, int j) {
+    const int i = b / 2;
+    if (b % 2 == 0) return {{{i, j}, {i + 1, j}, {i + 1, j + 1}}};
+    return {{{i, j}, {i + 1, j + 1}, {i, j + 1}}};
+}
+
+/// Captures the surface along the sun's rays, the first that each meets, and refracts. Between the surface's cells it
+/// is bilinear in elevation and slopes; beyond periodic sides it repeats, beyond absorbing sides the water is still; at
+/// walls the outermost corners are drawn in, so that beams end at the wall. `beams` is reused where its size fits.
+/// Throws InputError where a setting is out of its range.
+void make_beams(const BeamSettings& settings, const Surface& surface, Beams& beams);
+
+}  // namespace waterlight

@@ -1,0 +1,40 @@
+// What goes together in the light of the water.
+#include <fmt/format.h>
+
+#include "scenarios/combinations.hpp"
+#include "scenarios/resolve.hpp"
+
+namespace waterlight {
+
+namespace {
+
+void check_camera(const Scenario& s) {
+    const Camera& c = s.camera->camera;
+    if (!s.beams) s.origin.reject("camera", "it without [caustics.beams]", "[caustics.beams] in the scenario");
+    if (!(c.position_m.z < 0 && c.position_m.z > -s.domain.depth_m))
+        s.origin.reject("camera.position_m", fmt::format("a height of {} m", c.position_m.z),
+                        fmt::format("a height in the water, in (-{}, 0)", s.domain.depth_m));
+    if (c.position_m == c.target_m) s.origin.reject("camera.target_m", "the place of position_m", "another place");
+    const double pixels = c.size.x * static_cast<double>(c.size.y);
+    constexpr double most = 1e8;
+    if (pixels > most)
+        s.origin.reject("camera.pixels", fmt::format("[{}, {}]", c.size.x, c.size.y), "at most 1e8 pixels");
+}
+
+}  // namespace
+
+void check_beams(const Scenario& s) {
+    if (s.camera) check_camera(s);
+    for (std::size_t i = 0; i < s.probes.size(); ++i) {
+        if (!s.probes[i].depth_m) continue;
+        const std::string key = fmt::format("probe[{}].depth_m", i);
+        if (!s.beams) s.origin.reject(key, "it without [caustics.beams]", "[caustics.beams] in the scenario");
+        if (*s.probes[i].depth_m > s.domain.depth_m)
+            s.origin.reject(key, fmt::format("{}", *s.probes[i].depth_m),
+                            fmt::format("at most domain.depth_m = {}", s.domain.depth_m));
+    }
+    if (s.beams && s.beams->centre_m && !s.beams->size_m)
+        s.origin.reject("caustics.beams.centre_m", "it without size_m", "both or none");
+}
+
+}  // namespace waterlight

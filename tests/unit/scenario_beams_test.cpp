@@ -1,0 +1,85 @@
+// What a scenario says about light in the water.
+#include "caustics/water_types.hpp"
+#include "scenarios/memory.hpp"
+#include "scenarios/resolve.hpp"
+#include "tests/unit/scenario_support.hpp"
+
+namespace waterlight::test {
+namespace {
+
+const std::string beams = "[caustics.beams]\n";
+const std::string camera = "[camera]\nposition_m = [1.0, 2.0, -1.0]\ntarget_m = [4.0, 3.0, -0.5]\n";
+
+TEST(ScenarioBeams, AreReadWithTheirCamera) {
+    const Scenario s = parse(least + "[caustics.beams]\ngrid = [64, 32]\nvolume_cells = [8, 9, 10]\n" + camera +
+                             "fov_deg = 70\npixels = [90, 60]\nsamples = 2\nrange_m = 12\n");
+    EXPECT_EQ(s.beams->grid, glm::ivec2(64, 32));
+    EXPECT_EQ(*s.beams->volume_cells, glm::ivec3(8, 9, 10));
+    const BeamImageSettings image = beam_image_settings(s);
+    EXPECT_EQ(image.camera.position_m, glm::dvec3(1, 2, -1));
+    EXPECT_EQ(image.camera.size, glm::ivec2(90, 60));
+    EXPECT_EQ(image.samples, 2);
+    EXPECT_EQ(image.range_m, 12);
+    EXPECT_FALSE(beam_settings(s).window) << "all that lights the domain";
+}
+
+TEST(ScenarioBeams, AWindowLiesAboutItsCentre) {
+    const Scenario s = parse(least + "[caustics.beams]\nsize_m = [2.0, 1.0]\ncentre_m = [3.0, 4.0]\n");
+    const BeamSettings settings = beam_settings(s);
+    EXPECT_EQ(settings.window->origin_m, glm::dvec2(2, 3.5));
+    EXPECT_EQ(settings.window->size_m, glm::dvec2(2, 1));
+}
+
+TEST(ScenarioBeams, AKindOfWaterHoldsWhereKeysDoNotSayOtherwise) {
+    for (const WaterType& type : water_types) {
+        const std::string water = "[water]\nscattering_per_m = 7.0\ntype = \"" + std::string(type.name) + "\"\n";
+        const WaterOptics optics = parse(least + water).optics;
+        EXPECT_EQ(optics.absorption_per_m, type.absorption_per_m);
+        EXPECT_EQ(optics.scattering_per_m, 7) << "stated before the type or after it";
+        EXPECT_EQ(optics.phase.type, type.phase.type);
+    }
+    const WaterOptics own =
+        parse(least + "[water]\ntype = \"coastal\"\nphase = { g = 0.5, type = \"henyey-greenstein\" }\n").optics;
+    EXPECT_EQ(own.phase.type, Phase::Type::henyey_greenstein);
+    EXPECT_EQ(own.phase.g, 0.5);
+}
+
+TEST(ScenarioBeams, TheCameraSeesAsFarAsThereIsLight) {
+    const std::string murky = "[water]\nabsorption_per_m = 1.0\nscattering_per_m = 1.0\n";
+    EXPECT_NEAR(beam_image_settings(parse(least + beams + camera + murky)).range_m, 3.45, 1e-9);
+    EXPECT_EQ(beam_image_settings(parse(least + beams + camera)).range_m, 16) << "clear water: twice the domain";
+}
+
+TEST(ScenarioBeams, WhatDoesNotGoTogetherIsRejected) {
+    const auto expect = [](const std::string& text, const std::string& key, const std::string& found) {
+        const std::string message = rejection(least + text);
+        EXPECT_NE(message.find(key), std::string::npos) << message;
+        EXPECT_NE(message.find(found), std::string::npos) << message;
+    };
+    expect(camera, "camera", "it without [caustics.beams]");
+    expect(beams + "[camera]\nposition_m = [1, 2, 0.5]\ntarget_m = [4, 3, 0]\n", "camera.position_m",
+           "a height of 0.5 m");
+    expect(beams + "[camera]\nposition_m = [1, 2, -1]\ntarget_m = [1, 2, -1]\n", "camera.target_m",
+           "the place of position_m");
+    expect(beams + "[camera]\nposition_m = [1, 2]\ntarget_m = [4, 3, 0]\n", "camera.position_m",
+           "allowed: three numbers");
+    expect("[caustics.beams]\nvolume_cells = [4, 4, 0]\n", "volume_cells", "three integers, each in [1, 16384]");
+    expect("[caustics.beams]\ncentre_m = [4, 4]\n", "caustics.beams.centre_m", "it without size_m");
+    expect("[[probe]]\nname = \"a\"\nat_m = [1, 1]\ndepth_m = 1\n", "probe[0].depth_m", "it without [caustics.beams]");
+    expect(beams + "[[probe]]\nname = \"a\"\nat_m = [1, 1]\ndepth_m = 3\n", "probe[0].depth_m",
+           "at most domain.depth_m = 2");
+    expect(beams + "[[check]]\nquantity = \"volume.max_cv\"\nbelow = 1\n", "check[0].quantity",
+           "without caustics.beams.volume_cells");
+    expect("[[check]]\nquantity = \"beams.ledger_closure\"\nbelow = 1\n", "check[0].quantity",
+           "without [caustics.beams]");
+    expect("[water]\ntype = \"milk\"\n", "water.type", "one of none, pure, clear-ocean, coastal, harbour");
+}
+
+TEST(ScenarioBeams, FieldsThatDoNotFitTheMachineAreRejected) {
+    const Scenario s = parse(least + "[caustics.beams]\nvolume_cells = [1024, 1024, 1024]\n");
+    EXPECT_GT(estimate_memory(s).total(), 5e10);
+    EXPECT_THROW(check_memory(s, 8e9), InputError);
+}
+
+}  // namespace
+}  // namespace waterlight::test
