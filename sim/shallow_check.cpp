@@ -89,6 +89,8 @@ void check_shallow(const ShallowWaterSettings& s) {
     require(s.manning >= 0 && std::isfinite(s.manning), "manning", s.manning, ">= 0");
     require(s.wet_m > 0 && std::isfinite(s.wet_m), "wet_m", s.wet_m, "> 0");
     require(s.water.gravity_m_s2 > 0 && std::isfinite(s.water.gravity_m_s2), "gravity", s.water.gravity_m_s2, "> 0");
+    const double density = s.water.density_kg_m3;
+    require(density > 0 && std::isfinite(density), "density", density, "> 0");
     if (s.bed_m.empty())
         require(s.water.depth_m > 0 && std::isfinite(s.water.depth_m), "depth", s.water.depth_m,
                 "> 0 and finite; deep water is for airy");

@@ -1,5 +1,5 @@
-// Flux through the low faces of every cell, of `now` (first stage) or of what the first stage led to (second). One cell more along each
-// axis, for the faces of the far sides.
+// Flux through the low faces of every cell, of `now` (first stage) or of what the first stage led to (second). One cell
+// more along each axis, for the faces of the far sides.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

@@ -1,6 +1,6 @@
 // What lies beyond the sides: x along a side, y = 0 and 1 the frame cells -1 and -2, z the side: west, east, south, north.
-// Fills `now`, and also finds the fastest waves that may flow in; or, after the first stage, `change`, such
-// that it leads to what lies beyond.
+// Fills `now`, and also finds the fastest waves that may flow in; or, after the first stage, `change`, such that it
+// leads to what lies beyond.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

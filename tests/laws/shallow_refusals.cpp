@@ -47,6 +47,8 @@ TEST(ShallowRefusals, NumbersOutOfRange) {
     EXPECT_EQ(refusal_after([](auto& s) { s.manning = -0.01; }), "manning: found -0.01; allowed: >= 0");
     EXPECT_EQ(refusal_after([](auto& s) { s.wet_m = 0; }), "wet_m: found 0; allowed: > 0");
     EXPECT_EQ(refusal_after([](auto& s) { s.water.gravity_m_s2 = 0; }), "gravity: found 0; allowed: > 0");
+    EXPECT_EQ(refusal_after([](auto& s) { s.water.density_kg_m3 = nan; }), "density: found nan; allowed: > 0");
+    EXPECT_EQ(refusal_after([](auto& s) { s.water.density_kg_m3 = 0; }), "density: found 0; allowed: > 0");
     EXPECT_EQ(refusal_after([](auto& s) { s.water.depth_m = std::numeric_limits<double>::infinity(); }),
               "depth: found inf; allowed: > 0 and finite; deep water is for airy");
 }
