@@ -26,12 +26,14 @@ using f32::flow_per_discharge;
 using f32::friction_part;
 using f32::held_momentum;
 using f32::kept_flow;
+using f32::slowing_depth;
 using f64::crossing_rate;
 using f64::drain_part;
 using f64::flow_per_discharge;
 using f64::friction_part;
 using f64::held_momentum;
 using f64::kept_flow;
+using f64::slowing_depth;
 
 }  // namespace
 
@@ -161,7 +163,7 @@ class ShallowSweep<Real>::Band {
             const Real high_y = y1[i] > none ? y1[i] : none;
             drain[i] = drain_part(h[i], per_dx * (high_x - low_x) + per_dy * (high_y - low_y), dt);
             const Real loss = dt * (per_dx * (x[i + 1] - x[i]) + per_dy * (y1[i] - y[i]));
-            cuts |= drain[i] < 1 || loss > Real(0.75) * h[i] ? 1 : 0;
+            cuts |= drain[i] < 1 || slowing_depth(h[i] - loss) < h[i] ? 1 : 0;
         }
         drain[-1] = s_.periodic_x_ ? drain[s_.nx_ - 1] : Real(1);
         drain[s_.nx_] = s_.periodic_x_ ? drain[0] : Real(1);

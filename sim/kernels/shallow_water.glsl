@@ -144,10 +144,15 @@ KERNEL real held_momentum(real mass, real u_low, real u_high) {
     return mass * (mass > real(0) ? u_low : u_high);
 }
 
+// The depth that a cell must have had for what is left of its water to be slowed down.
+KERNEL real slowing_depth(real left) {
+    return real(4) * left;
+}
+
 // The part of its discharge that a cell keeps when its depth falls from h to `left`: what leaves takes its own along,
-// so that the rest is not faster than it would be if it were still four times as deep.
+// so that the rest is not faster than it would be at its slowing_depth().
 KERNEL real kept_flow(real h, real left) {
-    real most = real(4) * left;
+    real most = slowing_depth(left);
     return most < h ? most / h : real(1);
 }
 

@@ -13,119 +13,100 @@ namespace {
 /// Lines 5 and 6 of a scenario.
 const std::string shallow = "[waves]\nmodel = \"shallow-water\"\n";
 
-struct BadShallow {
-    const char* name;
-    const char* text;    ///< after `least`
-    const char* begins;  ///< of the message
-    const char* contains;
-};
+class RejectedShallow : public ::testing::TestWithParam<Bad> {};
 
-class RejectedShallow : public ::testing::TestWithParam<BadShallow> {};
-
-TEST_P(RejectedShallow, NamesPlaceKeyFoundAndAllowed) {
-    const std::string message = rejection(least + GetParam().text);
-    EXPECT_EQ(message.rfind(GetParam().begins, 0), 0U) << message;
-    EXPECT_NE(message.find(GetParam().contains), std::string::npos) << message;
-    EXPECT_NE(message.find("found "), std::string::npos) << message;
-    EXPECT_NE(message.find("; allowed: "), std::string::npos) << message;
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-}
+TEST_P(RejectedShallow, NamesPlaceKeyFoundAndAllowed) { expect_rejection(GetParam()); }
 
 #define SHALLOW "[waves]\nmodel = \"shallow-water\"\n"  // lines 5 and 6
 
 INSTANTIATE_TEST_SUITE_P(
     Scenario, RejectedShallow,
     ::testing::Values(
-        BadShallow{"SidesThatDifferOfAiry", "[waves]\nboundary = { west = \"wall\", east = \"absorbing\" }\n",
-                   "pool.toml:6:21: waves.boundary.west:", "equal sides, or model shallow-water"},
-        BadShallow{"OneSideOfAiryOverItsAxis", "[waves]\nboundary = { x = \"wall\", east = \"absorbing\" }\n",
-                   "pool.toml:6:", "equal sides"},
-        BadShallow{"InflowOfAiry", "[waves]\nboundary = { x = \"inflow\" }\n",
-                   "pool.toml:6:18: waves.boundary.x:", "model shallow-water"},
-        BadShallow{"PeriodicAtOneSide", SHALLOW "boundary = { y = \"periodic\", north = \"wall\" }\n",
-                   "pool.toml:7:", "periodic at both or none"},
-        BadShallow{"UnknownSide", SHALLOW "boundary = { left = \"wall\" }\n",
-                   "pool.toml:7:21: waves.boundary.left: found an unknown key", "west"},
-        BadShallow{"CflBeyondTheLimit", SHALLOW "cfl = 1.01\n", "pool.toml:7:7: waves.cfl:", "number in (0, 1]"},
-        BadShallow{"ManningOfAiry", "[waves]\nmanning = 0.02\n",
-                   "pool.toml:6:11: waves.manning:", "model shallow-water"},
-        BadShallow{"NegativeManning", SHALLOW "manning = -0.02\n", "pool.toml:7:11: waves.manning:", ">= 0"},
-        BadShallow{"WetOfNothing", SHALLOW "wet_m = 0\n", "pool.toml:7:9: waves.wet_m:", "> 0"},
-        BadShallow{"WetOfLinear", "[waves]\nmodel = \"linear\"\nwet_m = 1e-3\n",
-                   "pool.toml:7:9: waves.wet_m:", "model shallow-water"},
-        BadShallow{"SineOfShallowWater", SHALLOW "[[waves.sine]]\namplitude_m = 0.1\nwavelength_m = 1\n",
-                   "pool.toml:7:", "model linear or airy or prescribed"},
-        BadShallow{"SpectrumOfShallowWater",
-                   SHALLOW "boundary = { x = \"periodic\", y = \"periodic\" }\n[waves.spectrum]\n",
-                   "pool.toml:8:1: waves.spectrum:", "model airy"},
-        BadShallow{"MarginOfShallowWater", SHALLOW "boundary = { x = \"absorbing\" }\nmargin_m = 1\n",
-                   "pool.toml:8:12: waves.margin_m:", "model linear or airy"},
-        BadShallow{"InflowWithoutSide", SHALLOW "[[waves.inflow]]\ntype = \"level\"\nelevation_m = 0.1\n",
-                   "pool.toml:7:1: waves.inflow[0].side: found nothing", "west, east, south, north"},
-        BadShallow{"InflowThroughAWall",
-                   SHALLOW "[[waves.inflow]]\ntype = \"level\"\nside = \"east\"\nelevation_m = 0.1\n",
-                   "pool.toml:9:8: waves.inflow[0].side:", "waves.boundary.east = \"inflow\""},
-        BadShallow{"InflowOfNothing", SHALLOW "boundary = { north = \"inflow\" }\n",
-                   "pool.toml:7:22: waves.boundary.north:", "[[waves.inflow]] with side = \"north\""},
-        BadShallow{"InflowTwice",
-                   SHALLOW "boundary = { west = \"inflow\" }\n"
-                           "[[waves.inflow]]\ntype = \"flow\"\nside = \"west\"\nvelocity_m_s = [1, 0]\n"
-                           "[[waves.inflow]]\ntype = \"level\"\nside = \"west\"\nelevation_m = 0.1\n",
-                   "pool.toml:14:8: waves.inflow[1].side:", "one inflow a side"},
-        BadShallow{"InflowOfAnotherType",
-                   SHALLOW "boundary = { west = \"inflow\" }\n[[waves.inflow]]\ntype = \"river\"\nside = \"west\"\n",
-                   "pool.toml:9:8: waves.inflow[0].type:", "wave, discharge, level, flow, piston"},
-        BadShallow{"WaveOfNothing",
-                   SHALLOW "boundary = { west = \"inflow\" }\n[[waves.inflow]]\ntype = \"wave\"\nside = \"west\"\n",
-                   "pool.toml:8:1: waves.inflow[0]: found nothing that comes in",
-                   "one of file, period_s and solitary_height_m"},
-        BadShallow{"DischargeTwice",
-                   SHALLOW "boundary = { west = \"inflow\" }\n[[waves.inflow]]\ntype = \"discharge\"\nside = \"west\"\n"
-                           "discharge_m2_s = 1\nfile = \"a.txt\"\n",
-                   "pool.toml:8:1: waves.inflow[0]: found more than one source", "one of file and discharge_m2_s"},
-        BadShallow{"ScaleWithoutAFile",
-                   SHALLOW "boundary = { west = \"inflow\" }\n[[waves.inflow]]\ntype = \"piston\"\nside = \"west\"\n"
-                           "period_s = 1\nscale = 2\n",
-                   "pool.toml:12:9: waves.inflow[0].scale:", "file beside it"},
-        BadShallow{"AmplitudeWithoutAPeriod",
-                   SHALLOW "boundary = { west = \"inflow\" }\n[[waves.inflow]]\ntype = \"wave\"\nside = \"west\"\n"
-                           "file = \"a.txt\"\namplitude_m = 2\n",
-                   "pool.toml:12:15: waves.inflow[0].amplitude_m:", "period_s beside it"},
-        BadShallow{"GroundOfAiry", "[[domain.ground]]\ntype = \"cone\"\nat_m = [1, 1]\n",
-                   "pool.toml:5:1: domain.ground:", "model shallow-water"},
-        BadShallow{"BathymetryOfAiry", "bathymetry = \"a.vti\"\n",
-                   "pool.toml:5:14: domain.bathymetry:", "model shallow-water"},
-        BadShallow{"SurveyOfNothing", "[domain.survey]\ndatum_m = 3\n" SHALLOW,
-                   "pool.toml:5:1: domain.survey:", "domain.bathymetry beside it"},
-        BadShallow{"SurveyUpOrDown", "bathymetry = \"a.vti\"\n[domain.survey]\npositive = \"left\"\n" SHALLOW,
-                   "pool.toml:7:12: domain.survey.positive:", "auto, up, down"},
-        BadShallow{"UnknownShape", "[[domain.ground]]\ntype = \"corn\"\nat_m = [1, 1]\n" SHALLOW,
-                   "pool.toml:6:8: domain.ground[0].type:", "did you mean \"cone\"?"},
-        BadShallow{"BlockWithoutSize", "[[domain.ground]]\ntype = \"block\"\nat_m = [1, 1]\n" SHALLOW,
-                   "pool.toml:5:1: domain.ground[0].size_m: found nothing", "required"},
-        BadShallow{"CrestWiderThanToe",
-                   "[[domain.ground]]\ntype = \"cone\"\nat_m = [1, 1]\ncrest_radius_m = 2\n" SHALLOW,
-                   "pool.toml:8:18: domain.ground[0].crest_radius_m:", "at most toe_radius_m = 1"},
-        BadShallow{"InitialOfAiry", "[[waves.initial]]\ntype = \"still\"\n",
-                   "pool.toml:5:1: waves.initial:", "model shallow-water"},
-        BadShallow{"ExactBesideAnother",
-                   SHALLOW "[[waves.initial]]\ntype = \"still\"\n"
-                           "[[waves.initial]]\ntype = \"thacker\"\ncentre_m = [4, 3]\n",
-                   "pool.toml:9:1: waves.initial[1]:", "one exact state alone"},
-        BadShallow{"ExactOverOtherGround",
-                   "[[domain.ground]]\ntype = \"cone\"\nat_m = [1, 1]\n" SHALLOW
-                   "[[waves.initial]]\ntype = \"riemann\"\nat_m = [4, 3]\n",
-                   "pool.toml:5:1: domain.ground:", "one of both"},
-        BadShallow{"ExactErrorWithoutExactState", SHALLOW "[[check]]\nquantity = \"waves.exact_l1\"\nbelow = 1\n",
-                   "pool.toml:8:12: check[0].quantity:", "an exact state in waves.initial"},
-        BadShallow{"RunupOfAiry", "[[check]]\nquantity = \"waves.max_runup\"\nbelow = 1\n",
-                   "pool.toml:6:12: check[0].quantity:", "model shallow-water"},
-        BadShallow{
-            "ArrivalOfAiry",
+        Bad{"SidesThatDifferOfAiry", "[waves]\nboundary = { west = \"wall\", east = \"absorbing\" }\n",
+            "pool.toml:6:21: waves.boundary.west:", "equal sides, or model shallow-water"},
+        Bad{"OneSideOfAiryOverItsAxis", "[waves]\nboundary = { x = \"wall\", east = \"absorbing\" }\n",
+            "pool.toml:6:", "equal sides"},
+        Bad{"InflowOfAiry", "[waves]\nboundary = { x = \"inflow\" }\n",
+            "pool.toml:6:18: waves.boundary.x:", "model shallow-water"},
+        Bad{"PeriodicAtOneSide", SHALLOW "boundary = { y = \"periodic\", north = \"wall\" }\n",
+            "pool.toml:7:", "periodic at both or none"},
+        Bad{"UnknownSide", SHALLOW "boundary = { left = \"wall\" }\n",
+            "pool.toml:7:21: waves.boundary.left: found an unknown key", "west"},
+        Bad{"CflBeyondTheLimit", SHALLOW "cfl = 1.01\n", "pool.toml:7:7: waves.cfl:", "number in (0, 1]"},
+        Bad{"ManningOfAiry", "[waves]\nmanning = 0.02\n", "pool.toml:6:11: waves.manning:", "model shallow-water"},
+        Bad{"NegativeManning", SHALLOW "manning = -0.02\n", "pool.toml:7:11: waves.manning:", ">= 0"},
+        Bad{"WetOfNothing", SHALLOW "wet_m = 0\n", "pool.toml:7:9: waves.wet_m:", "> 0"},
+        Bad{"WetOfLinear", "[waves]\nmodel = \"linear\"\nwet_m = 1e-3\n",
+            "pool.toml:7:9: waves.wet_m:", "model shallow-water"},
+        Bad{"SineOfShallowWater", SHALLOW "[[waves.sine]]\namplitude_m = 0.1\nwavelength_m = 1\n",
+            "pool.toml:7:", "model linear or airy or prescribed"},
+        Bad{"SpectrumOfShallowWater", SHALLOW "boundary = { x = \"periodic\", y = \"periodic\" }\n[waves.spectrum]\n",
+            "pool.toml:8:1: waves.spectrum:", "model airy"},
+        Bad{"MarginOfShallowWater", SHALLOW "boundary = { x = \"absorbing\" }\nmargin_m = 1\n",
+            "pool.toml:8:12: waves.margin_m:", "model linear or airy"},
+        Bad{"InflowWithoutSide", SHALLOW "[[waves.inflow]]\ntype = \"level\"\nelevation_m = 0.1\n",
+            "pool.toml:7:1: waves.inflow[0].side: found nothing", "west, east, south, north"},
+        Bad{"InflowThroughAWall", SHALLOW "[[waves.inflow]]\ntype = \"level\"\nside = \"east\"\nelevation_m = 0.1\n",
+            "pool.toml:9:8: waves.inflow[0].side:", "waves.boundary.east = \"inflow\""},
+        Bad{"InflowOfNothing", SHALLOW "boundary = { north = \"inflow\" }\n",
+            "pool.toml:7:22: waves.boundary.north:", "[[waves.inflow]] with side = \"north\""},
+        Bad{"InflowTwice",
+            SHALLOW "boundary = { west = \"inflow\" }\n"
+                    "[[waves.inflow]]\ntype = \"flow\"\nside = \"west\"\nvelocity_m_s = [1, 0]\n"
+                    "[[waves.inflow]]\ntype = \"level\"\nside = \"west\"\nelevation_m = 0.1\n",
+            "pool.toml:14:8: waves.inflow[1].side:", "one inflow a side"},
+        Bad{"InflowOfAnotherType",
+            SHALLOW "boundary = { west = \"inflow\" }\n[[waves.inflow]]\ntype = \"river\"\nside = \"west\"\n",
+            "pool.toml:9:8: waves.inflow[0].type:", "wave, discharge, level, flow, piston"},
+        Bad{"WaveOfNothing",
+            SHALLOW "boundary = { west = \"inflow\" }\n[[waves.inflow]]\ntype = \"wave\"\nside = \"west\"\n",
+            "pool.toml:8:1: waves.inflow[0]: found nothing that comes in",
+            "one of file, period_s and solitary_height_m"},
+        Bad{"DischargeTwice",
+            SHALLOW "boundary = { west = \"inflow\" }\n[[waves.inflow]]\ntype = \"discharge\"\nside = \"west\"\n"
+                    "discharge_m2_s = 1\nfile = \"a.txt\"\n",
+            "pool.toml:8:1: waves.inflow[0]: found more than one source", "one of file and discharge_m2_s"},
+        Bad{"ScaleWithoutAFile",
+            SHALLOW "boundary = { west = \"inflow\" }\n[[waves.inflow]]\ntype = \"piston\"\nside = \"west\"\n"
+                    "period_s = 1\nscale = 2\n",
+            "pool.toml:12:9: waves.inflow[0].scale:", "file beside it"},
+        Bad{"AmplitudeWithoutAPeriod",
+            SHALLOW "boundary = { west = \"inflow\" }\n[[waves.inflow]]\ntype = \"wave\"\nside = \"west\"\n"
+                    "file = \"a.txt\"\namplitude_m = 2\n",
+            "pool.toml:12:15: waves.inflow[0].amplitude_m:", "period_s beside it"},
+        Bad{"GroundOfAiry", "[[domain.ground]]\ntype = \"cone\"\nat_m = [1, 1]\n",
+            "pool.toml:5:1: domain.ground:", "model shallow-water"},
+        Bad{"BathymetryOfAiry", "bathymetry = \"a.vti\"\n",
+            "pool.toml:5:14: domain.bathymetry:", "model shallow-water"},
+        Bad{"SurveyOfNothing", "[domain.survey]\ndatum_m = 3\n" SHALLOW,
+            "pool.toml:5:1: domain.survey:", "domain.bathymetry beside it"},
+        Bad{"SurveyUpOrDown", "bathymetry = \"a.vti\"\n[domain.survey]\npositive = \"left\"\n" SHALLOW,
+            "pool.toml:7:12: domain.survey.positive:", "auto, up, down"},
+        Bad{"UnknownShape", "[[domain.ground]]\ntype = \"corn\"\nat_m = [1, 1]\n" SHALLOW,
+            "pool.toml:6:8: domain.ground[0].type:", "did you mean \"cone\"?"},
+        Bad{"BlockWithoutSize", "[[domain.ground]]\ntype = \"block\"\nat_m = [1, 1]\n" SHALLOW,
+            "pool.toml:5:1: domain.ground[0].size_m: found nothing", "required"},
+        Bad{"CrestWiderThanToe", "[[domain.ground]]\ntype = \"cone\"\nat_m = [1, 1]\ncrest_radius_m = 2\n" SHALLOW,
+            "pool.toml:8:18: domain.ground[0].crest_radius_m:", "at most toe_radius_m = 1"},
+        Bad{"InitialOfAiry", "[[waves.initial]]\ntype = \"still\"\n",
+            "pool.toml:5:1: waves.initial:", "model shallow-water"},
+        Bad{"ExactBesideAnother",
+            SHALLOW "[[waves.initial]]\ntype = \"still\"\n"
+                    "[[waves.initial]]\ntype = \"thacker\"\ncentre_m = [4, 3]\n",
+            "pool.toml:9:1: waves.initial[1]:", "one exact state alone"},
+        Bad{"ExactOverOtherGround",
+            "[[domain.ground]]\ntype = \"cone\"\nat_m = [1, 1]\n" SHALLOW
+            "[[waves.initial]]\ntype = \"riemann\"\nat_m = [4, 3]\n",
+            "pool.toml:5:1: domain.ground:", "one of both"},
+        Bad{"ExactErrorWithoutExactState", SHALLOW "[[check]]\nquantity = \"waves.exact_l1\"\nbelow = 1\n",
+            "pool.toml:8:12: check[0].quantity:", "an exact state in waves.initial"},
+        Bad{"RunupOfAiry", "[[check]]\nquantity = \"waves.max_runup\"\nbelow = 1\n",
+            "pool.toml:6:12: check[0].quantity:", "model shallow-water"},
+        Bad{"ArrivalOfAiry",
             "[[probe]]\nname = \"a\"\nat_m = [1, 1]\n[[check]]\nquantity = \"probe.a.arrival_time\"\nbelow = 1\n",
             "pool.toml:9:12: check[0].quantity:", "model shallow-water"},
-        BadShallow{"ExtremesOfAiry", "[output]\nfields = [\"max_speed\"]\n",
-                   "pool.toml:6:10: output.fields:", "model shallow-water"}),
+        Bad{"ExtremesOfAiry", "[output]\nfields = [\"max_speed\"]\n",
+            "pool.toml:6:10: output.fields:", "model shallow-water"}),
     [](const auto& bad) { return bad.param.name; });
 
 const std::string all_keys = R"([domain]

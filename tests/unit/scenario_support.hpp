@@ -29,4 +29,22 @@ inline std::string rejection(const std::string& text, const std::vector<std::str
     return "accepted";
 }
 
+/// A text that the reader must reject.
+struct Bad {
+    const char* name;
+    const char* text;    ///< after `least`, which has four lines
+    const char* begins;  ///< of the message
+    const char* contains;
+};
+
+/// One line with the place, the key, what was found and what is allowed.
+inline void expect_rejection(const Bad& bad) {
+    const std::string message = rejection(least + bad.text);
+    EXPECT_EQ(message.rfind(bad.begins, 0), 0U) << message;
+    EXPECT_NE(message.find(bad.contains), std::string::npos) << message;
+    EXPECT_NE(message.find("found "), std::string::npos) << message;
+    EXPECT_NE(message.find("; allowed: "), std::string::npos) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+}
+
 }  // namespace waterlight::test
