@@ -65,7 +65,7 @@ inline std::array<glm::vec3, 8> beam_corners(const Beams& b, const CellCopy& cop
     for (int k = 0; k < 4; ++k) {
         const int i = at[k].x, j = at[k].y;
         const glm::vec3 top{b.x(i, j) + copy.shift_m.x, b.y(i, j) + copy.shift_m.y, b.z(i, j)};
-        const float descent = std::max(0.0F, top.z + static_cast<float>(b.depth_m));
+        const float descent = std::max(0.0F, top.z - b.end_z(i, j));
         corners[k] = top - from;
         corners[k + 4] = corners[k] + descent * glm::vec3{b.travel_x(i, j), b.travel_y(i, j), -1};
     }

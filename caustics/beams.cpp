@@ -67,8 +67,8 @@ void resize(Beams& beams, glm::ivec2 grid) {
     if (beams.nx == grid.x && beams.ny == grid.y) return;
     beams.nx = grid.x;
     beams.ny = grid.y;
-    for (Field<float>* f :
-         {&beams.x, &beams.y, &beams.z, &beams.travel_x, &beams.travel_y, &beams.path, &beams.transmittance})
+    for (Field<float>* f : {&beams.x, &beams.y, &beams.z, &beams.travel_x, &beams.travel_y, &beams.path, &beams.end_z,
+                            &beams.transmittance})
         *f = Field<float>(grid.x + 1, grid.y + 1);
     beams.flux = Field<float>(2 * grid.x, grid.y);
 }
@@ -87,6 +87,7 @@ void fill_row(const BeamSettings& s, const SurfaceCapture& capture, const BeamWi
         beams.travel_x(i, j) = r.travel.x;
         beams.travel_y(i, j) = r.travel.y;
         beams.path(i, j) = r.path;
+        beams.end_z(i, j) = static_cast<float>(-s.depth_m);
         beams.transmittance(i, j) = r.transmittance;
     }
 }
@@ -110,7 +111,7 @@ BeamLedger charge_row(const BeamSettings& s, int j, Beams& beams) {
         for (int k = 0; k < 3; ++k) {
             const int i = corners_of(b, j)[k].x, row = corners_of(b, j)[k].y;
             v[k] = {beams.x(i, row), beams.y(i, row), beams.z(i, row)};
-            const double descent = std::max(0.0, v[k].z + s.depth_m);
+            const double descent = std::max(0.0, v[k].z - static_cast<double>(beams.end_z(i, row)));
             landed += (glm::dvec2(v[k]) + descent * glm::dvec2{beams.travel_x(i, row), beams.travel_y(i, row)}) / 3.0;
             transmittance += beams.transmittance(i, row) / 3.0;
             remaining += f64::beer_lambert(beams.extinction_per_m, descent * beams.path(i, row)) / 3;

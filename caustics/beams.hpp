@@ -57,6 +57,7 @@ struct Beams {
     Field<float> x, y, z;               ///< corners on the surface, m
     Field<float> travel_x, travel_y;    ///< metres per metre of descent
     Field<float> path;                  ///< metres of way per metre of descent
+    Field<float> end_z;                 ///< where the way of each corner's light ends: on the floor, m
     Field<float> transmittance;         ///< Fresnel
     Field<float> flux;                  ///< of each beam just below the surface, W; 0 where discarded
     float lowest_m = 0, highest_m = 0;  ///< of z
