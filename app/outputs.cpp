@@ -123,7 +123,8 @@ Outputs::Outputs(fs::path folder, const Scenario& scenario, double still_irradia
       volume_series_(folder_, "volume", settings_.compression),
       has_volume_(scenario.beams && scenario.beams->volume_cells),
       has_picture_(scenario.camera.has_value()),
-      radiance_max_(scenario.camera ? scenario.camera->radiance_max : std::nullopt) {
+      radiance_max_(scenario.camera ? scenario.camera->radiance_max : std::nullopt),
+      radiance_decades_(scenario.camera ? scenario.camera->radiance_decades : std::nullopt) {
     if (scenario.floor) plan_ = floor_settings(scenario).plan;
     if (scenario.probes.empty()) return;
     const std::vector<std::string> columns = probe_columns(scenario);
@@ -226,9 +227,11 @@ void Outputs::write_pictures(const FrameFiles& frame) {
 void Outputs::write_radiance(const FrameFiles& frame) {
     for (const float r : frame.radiance.values()) radiance_so_far_ = std::max<double>(radiance_so_far_, r);
     const double most = radiance_max_.value_or(radiance_so_far_ > 0 ? radiance_so_far_ : 1);
+    const ValueRange range =
+        radiance_decades_ ? ValueRange{most * std::pow(10.0, -*radiance_decades_), most, true} : ValueRange{0, most};
     write_picture(image("radiance", "png"), frame.radiance,
                   {.map = ColourMap::deep_water,
-                   .range = {0, most},
+                   .range = range,
                    .quantity = "Scattered light",
                    .unit = "W/(m\u00b2 sr)",
                    .time_s = frame.surface.time_s,

@@ -89,6 +89,7 @@ class Outputs {
     bool has_volume_;
     bool has_picture_;
     std::optional<double> radiance_max_;  ///< of the pictures: as the scenario says, else the largest so far
+    std::optional<double> radiance_decades_;
     double radiance_so_far_ = 0;
     std::optional<ProbeTable> probes_;
     bool has_end_ = false;

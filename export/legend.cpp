@@ -30,8 +30,7 @@ Legend::Legend(const PictureSettings& settings, int width, int height, double me
     const int most_ticks = std::clamp(height / (3 * em_), 3, 9);
     int label_width = unit_.width;
     for (const Tick& tick : round_ticks(settings.range, most_ticks)) {
-        const double position = (tick.value - settings.range.low) / (settings.range.high - settings.range.low);
-        labels_.push_back({render_text(tick.label, em_), position});
+        labels_.push_back({render_text(tick.label, em_), settings.range.position(tick.value)});
         label_width = std::max(label_width, labels_.back().text.width);
     }
     if (metres_per_pixel > 0) {

@@ -32,12 +32,28 @@ Size picture_size(const Field<float>& field, glm::dvec2 pitch_m) {
 class Painter {
   public:
     explicit Painter(ValueRange range)
-        : low_(static_cast<float>(range.low)),
+        : range_(range),
+          low_(static_cast<float>(range.low)),
           high_(static_cast<float>(range.high)),
           scale_(static_cast<float>(palette::map_steps / (range.high - range.low))) {}
 
     /// The palette step of each value of a row, and whether some lie beyond the range.
-    void paint(const float* __restrict values, int count, std::uint8_t* __restrict to) {
+    void paint(const float* values, int count, std::uint8_t* to) {
+        note_clipped(values, count);
+        colour(range_.logarithmic ? spread(values, count) : values, count, to);
+    }
+    Clipped clipped() const { return clipped_; }
+
+  private:
+    /// Values of an even scale that have the positions of these on the logarithmic one.
+    const float* spread(const float* values, int count) {
+        spread_.resize(static_cast<std::size_t>(count));
+        for (int i = 0; i < count; ++i)
+            spread_[i] = low_ + (high_ - low_) * static_cast<float>(range_.position(std::max(values[i], 0.0F)));
+        return spread_.data();
+    }
+
+    void colour(const float* __restrict values, int count, std::uint8_t* __restrict to) const {
         const float low = low_, scale = scale_, last = palette::map_steps - 1;
 #pragma GCC ivdep
         for (int i = 0; i < count; ++i) {
@@ -47,6 +63,9 @@ class Painter {
             const int shown = v == v ? static_cast<int>(clamped) : palette::missing;
             to[i] = static_cast<std::uint8_t>(shown);
         }
+    }
+
+    void note_clipped(const float* __restrict values, int count) {
         float least = high_, greatest = low_;
 #pragma omp simd reduction(min : least) reduction(max : greatest)
         for (int i = 0; i < count; ++i) {
@@ -56,10 +75,10 @@ class Painter {
         clipped_.below |= least < low_;
         clipped_.above |= greatest > high_;
     }
-    Clipped clipped() const { return clipped_; }
 
-  private:
+    ValueRange range_;
     float low_, high_, scale_;
+    std::vector<float> spread_;  ///< of a row
     Clipped clipped_;
 };
 

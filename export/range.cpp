@@ -20,6 +20,10 @@ double round_up(double value) {
 
 }  // namespace
 
+double ValueRange::position(double value) const {
+    return logarithmic ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+}
+
 ValueRange symmetric_range(const Field<float>& field) {
     double greatest = 0;
     for (const float value : field.values()) {

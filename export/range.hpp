@@ -9,6 +9,10 @@ namespace waterlight {
 struct ValueRange {
     double low = 0;
     double high = 1;
+    bool logarithmic = false;  ///< equal ratios take equal parts of the scale; then low > 0
+
+    /// 0 at low, 1 at high.
+    double position(double value) const;
 };
 
 /// [-a, a] with a the greatest finite magnitude, rounded up to 1, 1.5, 2, 3, 4, 5, 6 or 8 times a power of ten; [-1, 1]

@@ -99,6 +99,13 @@ void describe_camera(Visitor& v, CameraSection& s) {
     v.value({"radiance_max", "W/(m2 sr)", "Radiance at the bright end of the pictures' colours.", positive, false,
              "the largest so far"},
             &s.radiance_max);
+    v.value({"radiance_decades",
+             "",
+             "Decades below radiance_max that the pictures show, on a logarithmic scale.",
+             {.low = 0.5, .high = 12},
+             false,
+             "a linear scale from 0"},
+            &s.radiance_decades);
 }
 
 }  // namespace waterlight

@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 
+#include "export/canvas.hpp"
 #include "export/colour_map.hpp"
 #include "export/grey16.hpp"
 #include "export/picture.hpp"
@@ -198,6 +199,39 @@ TEST(Ticks, AreRoundAndWithinTheRange) {
     std::string labels;
     for (const Tick& tick : round_ticks({-0.05, 0.05}, 6)) labels += tick.label + ' ';
     EXPECT_EQ(labels, "-0.04 -0.02 0.00 0.02 0.04 ");
+}
+
+TEST(Ticks, OfALogarithmicScaleAreRoundAndWithinTheRange) {
+    for (const ValueRange range :
+         {ValueRange{1, 100, true}, {0.2, 200, true}, {3e-9, 4e4, true}, {1, 2, true}, {70, 900, true}}) {
+        for (const int most : {2, 5, 9}) {
+            const std::vector<Tick> ticks = round_ticks(range, most);
+            ASSERT_LE(static_cast<int>(ticks.size()), most) << range.low;
+            ASSERT_GE(ticks.size(), 1U) << range.low << ' ' << most;
+            for (const Tick& tick : ticks) {
+                EXPECT_GE(range.position(tick.value), -1e-9);
+                EXPECT_LE(range.position(tick.value), 1 + 1e-9);
+                EXPECT_NEAR(std::stod(tick.label), tick.value, 1e-3 * tick.value);
+            }
+        }
+    }
+    std::string labels;
+    for (const Tick& tick : round_ticks({1, 100, true}, 9)) labels += tick.label + ' ';
+    EXPECT_EQ(labels, "1 2 5 10 20 50 100 ");
+}
+
+/// Equal ratios are equal steps of colour; darkness and what is below the range take the first.
+TEST(Picture, ALogarithmicScaleSpreadsRatiosEvenly) {
+    Field<float> field(480, 1);
+    for (int i = 0; i < 480; ++i) field(i, 0) = static_cast<float>(std::pow(10.0, -3 + 3 * (i + 0.5) / 480));
+    field(0, 0) = 0;
+    PictureSettings settings;
+    settings.range = {1e-3, 1, true};
+    settings.legend = false;
+    const IndexedImage image = draw_picture(field, settings);
+    EXPECT_EQ(image.pixels[0], 0);
+    for (int i = 1; i < 480; ++i)
+        EXPECT_NEAR(image.pixels[i], palette::map_steps * (i + 0.5) / 480 - 0.5, 0.51 + 1e-3) << i;
 }
 
 TEST(Range, IsRoundAndHoldsTheValues) {
