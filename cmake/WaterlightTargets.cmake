@@ -14,7 +14,7 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
 add_library(waterlight_flags INTERFACE)
 target_compile_options(waterlight_flags INTERFACE
-    -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Werror
+    -Wall -Wextra -Wshadow -Wnon-virtual-dtor $<$<CXX_COMPILER_ID:GNU>:-Werror>
     -Wno-unknown-pragmas
     -fno-math-errno -fno-trapping-math -fno-signed-zeros
     $<$<BOOL:${WATERLIGHT_NATIVE}>:-march=native>)

@@ -1,6 +1,7 @@
 #include "sim/vtk_xml.hpp"
 
 #include <fmt/format.h>
+#include <vtkBase64Utilities.h>
 #include <vtkLZ4DataCompressor.h>
 #include <vtkLZMADataCompressor.h>
 #include <vtkObjectFactory.h>
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <new>
 #include <system_error>
 
@@ -97,52 +99,109 @@ std::string_view VtkXml::attribute(vtkXMLDataElement& element, const char* name)
     return text != nullptr ? std::string_view(text) : std::string_view();
 }
 
-std::uint64_t VtkXml::header_word() {
-    const bool wide = attribute(root(), "header_type") == "UInt64";
-    std::array<unsigned char, 8> bytes{};
-    if (!file_.read(reinterpret_cast<char*>(bytes.data()), wide ? 8 : 4)) return UINT64_MAX;
-    if (attribute(root(), "byte_order") == "BigEndian") std::reverse(bytes.begin(), bytes.begin() + (wide ? 8 : 4));
-    std::uint64_t word = 0;
-    for (std::size_t i = 0; i < bytes.size(); ++i) word |= std::uint64_t{bytes[i]} << (8 * i);
-    return word;
-}
+namespace {
 
-/// The parser believes the sizes that stand before raw data, and crashes on some. They are, each in a word: bytes; or,
-/// of compressed data, blocks, bytes of a block, bytes of the last if shorter, and the compressed bytes of each block.
-bool VtkXml::raw_data_fit(long long offset, std::uint64_t bytes) {
-    const auto start =
-        static_cast<std::uint64_t>(parser_->appended_data_position()) + static_cast<std::uint64_t>(offset);
-    if (offset < 0 || start >= bytes_) return false;
+/// The words that stand before data, raw or in base64, which may be broken by blanks. UINT64_MAX past their end.
+class HeaderWords {
+  public:
+    HeaderWords(std::istream& file, bool encoded, vtkXMLDataElement& root)
+        : file_(file),
+          encoded_(encoded),
+          size_(VtkXml::attribute(root, "header_type") == "UInt64" ? 8 : 4),
+          is_big_(VtkXml::attribute(root, "byte_order") == "BigEndian") {}
+
+    int size() const { return size_; }
+    std::uint64_t next() {
+        std::uint64_t word = 0;
+        for (int i = 0; i < size_; ++i) {
+            const int byte = next_byte();
+            if (byte < 0) return UINT64_MAX;
+            word |= static_cast<std::uint64_t>(byte) << (8 * (is_big_ ? size_ - 1 - i : i));
+        }
+        return word;
+    }
+
+  private:
+    int next_byte() {
+        if (!encoded_) return file_.get();
+        if (at_ == held_ && !decode()) return -1;
+        return triplet_[at_++];
+    }
+
+    bool decode() {
+        std::array<unsigned char, 4> letters{};
+        for (unsigned char& letter : letters) {
+            char c = 0;
+            while (file_.get(c) && std::isspace(static_cast<unsigned char>(c)) != 0) {
+            }
+            letter = static_cast<unsigned char>(c);
+        }
+        at_ = 0;
+        held_ = vtkBase64Utilities::DecodeTriplet(letters[0], letters[1], letters[2], letters[3], triplet_.data(),
+                                                  &triplet_[1], &triplet_[2]);
+        return file_ && held_ > 0;
+    }
+
+    std::istream& file_;
+    bool encoded_;
+    int size_;
+    bool is_big_;
+    std::array<unsigned char, 3> triplet_{};
+    int at_ = 0, held_ = 0;
+};
+
+}  // namespace
+
+/// The parser believes the sizes that stand before data, takes any memory for them, and crashes on some. They are, each
+/// in a word: bytes; or, of compressed data, blocks, bytes of a block, bytes of the last if shorter, and the compressed
+/// bytes of each block. `encoded`: in base64.
+bool VtkXml::data_fit(std::uint64_t start, bool encoded, std::uint64_t bytes) {
+    if (start >= bytes_) return false;
     const std::uint64_t left = bytes_ - start;
     file_.clear();
     file_.seekg(static_cast<std::streamoff>(start));
-    if (attribute(root(), "compressor").empty()) return header_word() == bytes && bytes <= left;
-    const std::uint64_t blocks = header_word(), block = header_word(), last = header_word();
+    HeaderWords header(file_, encoded, root());
+    if (attribute(root(), "compressor").empty()) return header.next() == bytes && bytes <= left;
+    const std::uint64_t blocks = header.next(), block = header.next(), last = header.next();
     constexpr std::uint64_t largest_block = std::uint64_t{1} << 32;
-    if (blocks == 0 || block == 0 || block > largest_block || last >= block) return false;
+    if (blocks == 0 || blocks > left || block == 0 || block > largest_block || last >= block) return false;
     const std::uint64_t full = last == 0 ? blocks : blocks - 1;
     if (full > bytes / block || full * block + last != bytes) return false;
     std::uint64_t compressed = 0;
     for (std::uint64_t b = 0; b < blocks; ++b) {
-        const std::uint64_t size = header_word();
+        const std::uint64_t size = header.next();
         if (size > left - compressed) return false;
         compressed += size;
     }
     return true;
 }
 
+/// Where the text of an element begins.
+std::uint64_t VtkXml::start_of_text(vtkXMLDataElement& array) {
+    file_.clear();
+    file_.seekg(static_cast<std::streamoff>(array.GetXMLByteIndex()));
+    char c = 0;
+    while (file_.get(c) && c != '>') {
+    }
+    return file_ ? static_cast<std::uint64_t>(file_.tellg()) : bytes_;
+}
+
 void VtkXml::read_words(vtkXMLDataElement& array, void* to, std::size_t count, int type) {
     const std::string_view format = attribute(array, "format");
-    vtkXMLDataElement* appended = find(root(), "AppendedData");
-    const bool is_raw = appended != nullptr && attribute(*appended, "encoding") == "raw";
     const std::uint64_t bytes = count * (type == VTK_DOUBLE ? sizeof(double) : sizeof(float));
     long long offset = 0;
     std::size_t read = 0;
     try {
-        if (format != "appended") {
-            read = parser_->ReadInlineData(&array, format == "ascii" ? 1 : 0, to, 0, count, type);
-        } else if (array.GetScalarAttribute("offset", offset) != 0 && (!is_raw || raw_data_fit(offset, bytes))) {
-            read = parser_->ReadAppendedData(offset, to, 0, count, type);
+        if (format == "ascii") {
+            read = parser_->ReadInlineData(&array, 1, to, 0, count, type);
+        } else if (format != "appended") {
+            if (data_fit(start_of_text(array), true, bytes))
+                read = parser_->ReadInlineData(&array, 0, to, 0, count, type);
+        } else if (array.GetScalarAttribute("offset", offset) != 0 && offset >= 0) {
+            vtkXMLDataElement* appended = find(root(), "AppendedData");
+            const bool encoded = appended != nullptr && attribute(*appended, "encoding") != "raw";
+            const auto start = static_cast<std::uint64_t>(parser_->appended_data_position() + offset);
+            if (data_fit(start, encoded, bytes)) read = parser_->ReadAppendedData(offset, to, 0, count, type);
         }
     } catch (const std::bad_alloc&) {
         read = 0;  // A size in the data that no memory could hold.

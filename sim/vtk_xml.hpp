@@ -51,8 +51,8 @@ class VtkXml {
     std::vector<To> numbers(vtkXMLDataElement& array, std::size_t count);
     void read_words(vtkXMLDataElement& array, void* to, std::size_t count, int type);
     void check_end();
-    bool raw_data_fit(long long offset, std::uint64_t bytes);
-    std::uint64_t header_word();
+    bool data_fit(std::uint64_t start, bool encoded, std::uint64_t bytes);
+    std::uint64_t start_of_text(vtkXMLDataElement& array);
     void set_compressor();
     std::string complaint() const;
 
