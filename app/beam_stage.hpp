@@ -5,17 +5,18 @@
 
 #include "caustics/beam_refine.hpp"
 #include "caustics/beam_volume.hpp"
-#include "scenarios/scenario.hpp"
+#include "scenarios/build.hpp"
 
 namespace waterlight {
 
-/// One horizontal slice of the water over cells and frames.
+/// One horizontal slice of the water over cells above the ground and frames.
 struct SliceStatistics {
     double depth_m = 0;
     double mean = 0;  ///< downward irradiance, W/m2
     double cv = 0;
     double skewness = 0;
     double flash_fraction = 0;  ///< part above 1.5 times the mean of its frame
+    double water_fraction = 1;  ///< part of the slice above the ground, of which the numbers above are
 };
 
 /// The light in the water over the run.
@@ -36,7 +37,8 @@ struct BeamRecord {
 /// Computes on the CPU. The scenario has beams and outlives the stage.
 class BeamStage {
   public:
-    explicit BeamStage(const Scenario& scenario);
+    /// The model gives the ground where it has one. Throws InputError where a file of the ground cannot be used.
+    BeamStage(const Scenario& scenario, const BuiltModel& model);
 
     /// Throws InputError where a setting does not go with the surface.
     void compute(const Surface& surface);
@@ -52,13 +54,15 @@ class BeamStage {
   private:
     /// Sums of one slice over cells and frames.
     struct Moments {
-        double count = 0, sum = 0, squares = 0, cubes = 0, flashes = 0;
+        double count = 0, cells = 0, sum = 0, squares = 0, cubes = 0, flashes = 0;
     };
+    BeamSettings settings() const;
     void draw(const Surface& surface);
     void add_volume();
     void add_slice(int k);
 
     const Scenario& scenario_;
+    std::shared_ptr<const BeamGround> ground_;  ///< none: a flat floor
     Beams beams_;
     RefinedBeams refined_;
     BeamVolume volume_;

@@ -138,6 +138,7 @@ void Outputs::push(const FrameView& view, std::vector<double> probes) {
     if (view.floor) frame.irradiance = view.floor->irradiance.clone();
     if (view.volume && settings_.wants("vti")) {
         frame.volume_cells = view.volume->cells;
+        frame.volume_depth_m = view.volume->depth_m;
         frame.plane_irradiance = view.volume->plane_irradiance.clone();
         frame.scalar_irradiance = view.volume->scalar_irradiance.clone();
     }
@@ -179,8 +180,9 @@ void Outputs::write_fields(const FrameFiles& frame) {
         written_.insert(folder_ / "floor.pvd");
     }
     if (has_volume_) {
-        written_.insert(volume_series_.write(volume_frame({frame.surface.grid, depth_m_, time_s}, frame.volume_cells,
-                                                          frame.plane_irradiance, frame.scalar_irradiance)));
+        written_.insert(
+            volume_series_.write(volume_frame({frame.surface.grid, frame.volume_depth_m, time_s}, frame.volume_cells,
+                                              frame.plane_irradiance, frame.scalar_irradiance)));
         written_.insert(folder_ / "volume.pvd");
     }
 }

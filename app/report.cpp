@@ -60,6 +60,7 @@ Json ledger_json(const BeamLedger& l, const WaterOptics& optics, double per) {
             {"floor_w", l.floor_w * per},
             {"outside_w", l.outside_w * per},
             {"discarded_w", l.discarded_w * per},
+            {"dry_w", l.dry_w * per},
             {"closure", l.closure()}};
 }
 
@@ -70,7 +71,8 @@ Json slices_json(const std::vector<SliceStatistics>& slices) {
                         {"mean_irradiance_w_m2", s.mean},
                         {"cv", s.cv},
                         {"skewness", s.skewness},
-                        {"flash_fraction", s.flash_fraction}});
+                        {"flash_fraction", s.flash_fraction},
+                        {"water_fraction", s.water_fraction}});
     return json;
 }
 

@@ -77,9 +77,12 @@ void describe_beams(Visitor& v, BeamsSection& s) {
 }
 
 void describe_camera(Visitor& v, CameraSection& s) {
-    v.value(
-        {"position_m", "m", "Place of the camera, z up from still water: in the water, or beside a wall.", {}, true},
-        &s.camera.position_m);
+    v.value({"position_m",
+             "m",
+             "Place of the camera, z up from still water: in the water, or beside a wall; above the ground.",
+             {},
+             true},
+            &s.camera.position_m);
     v.value({"target_m", "m", "Place in the middle of the picture.", {}, true}, &s.camera.target_m);
     v.value({"fov_deg",
              "deg",

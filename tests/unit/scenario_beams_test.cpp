@@ -75,6 +75,17 @@ TEST(ScenarioBeams, WhatDoesNotGoTogetherIsRejected) {
     expect("[water]\ntype = \"milk\"\n", "water.type", "one of none, pure, clear-ocean, coastal, harbour");
 }
 
+TEST(ScenarioBeams, GroundIsForThemWherePrescribedWavesDoNotFeelIt) {
+    const std::string rock = "[[domain.ground]]\ntype = \"cone\"\nat_m = [1, 1]\ntoe_radius_m = 1.0\nheight_m = 1.0\n";
+    const std::string tilted = "[waves]\nmodel = \"prescribed\"\nduration_s = 1.0\n";
+    EXPECT_EQ(parse(least + rock + tilted + beams).domain.ground.size(), 1U);
+    const std::string message = rejection(least + rock + tilted);
+    EXPECT_NE(message.find("without [caustics.beams]"), std::string::npos) << message;
+    // How deep the ground is shows when its file is read.
+    const std::string deep = "[camera]\nposition_m = [1, 2, -2.5]\ntarget_m = [4, 3, -1]\n";
+    EXPECT_EQ(parse(least + rock + tilted + beams + deep).camera->camera.position_m.z, -2.5);
+}
+
 TEST(ScenarioBeams, FieldsThatDoNotFitTheMachineAreRejected) {
     const Scenario s = parse(least + "[caustics.beams]\nvolume_cells = [1024, 1024, 1024]\n");
     EXPECT_GT(estimate_memory(s).total(), 5e10);
