@@ -33,7 +33,7 @@ double BeamGround::height_m(glm::dvec2 at_m) const {
 
 double BeamGround::end_z(glm::dvec3 from_m, glm::dvec2 travel) const {
     const double below = height_m(glm::dvec2(from_m));
-    if (from_m.z - below <= film_m) return std::max(from_m.z, below);
+    if (from_m.z - below <= film_m) return std::max(from_m.z, below) + film_m;
     const double first = std::max(0.0, from_m.z - highest_), last = from_m.z - lowest_;
     const double cells = glm::length(travel) * (last - first) / std::min(grid_.dx_m, grid_.dy_m);
     const auto at = [&](double descent) { return height_m(glm::dvec2(from_m) + descent * travel); };

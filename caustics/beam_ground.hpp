@@ -22,8 +22,8 @@ class BeamGround {
     double lowest_m() const { return lowest_; }
 
     /// The height at which a ray from a place in the water first meets the ground; `travel` in horizontal metres per
-    /// metre of descent. Where the water is no deeper than `film_m`, that of the ground
-    /// below or of the place, whichever is higher. The march is in steps of a cell.
+    /// metre of descent. Where the water is no deeper than `film_m`, so much above
+    /// the ground below or the place, whichever is higher: such a ray has no way. The march is in steps of a cell.
     double end_z(glm::dvec3 from_m, glm::dvec2 travel) const;
 
     /// Depth (m) of water below which ground counts as dry: above the rounding of heights of some 100 m.

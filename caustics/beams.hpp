@@ -61,7 +61,7 @@ struct Beams {
     Field<float> x, y, z;             ///< corners on the surface, m
     Field<float> travel_x, travel_y;  ///< metres per metre of descent
     Field<float> path;                ///< metres of way per metre of descent
-    /// Where the way of each corner's light ends: on the floor, m. Not below z where the ground is dry.
+    /// Where the way of each corner's light ends: on the floor, m. Above z where the ground is dry.
     Field<float> end_z;
     Field<float> transmittance;  ///< Fresnel
     /// Of each beam just below the surface, W, as if all of its triangle were wet; 0 where discarded or dry.

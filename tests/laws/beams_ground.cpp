@@ -151,7 +151,8 @@ TEST(BeamGround, ACliffCastsAShadowWhereSlantingLightMeetsIt) {
 /// Errors of the ledger over a bowl of radius 1 and depth 1 under an overhead sun.
 struct BowlErrors {
     double dry, floor;
-    explicit BowlErrors(int n) {
+    /// The surface on dry ground is at the ground, as of the model shallow-water, or at the level of the water.
+    BowlErrors(int n, bool at_ground) {
         const Grid grid = make_grid(2 * n, 2 * n, 3, 3);
         BeamSettings s;
         s.grid = {n, n};
@@ -159,7 +160,10 @@ struct BowlErrors {
         s.optics.absorption_per_m = .4;
         s.ground = ground_of(grid, {Side::wall, Side::wall}, 1, BowlGround{{1.5, 1.5}, 1, 1});
         Beams b;
-        make_beams(s, sample(grid, {Side::wall, Side::wall}, flat), b);
+        const Formula surface = [&](glm::dvec2 at) {
+            return SurfacePoint{at_ground ? std::max(0.0, s.ground->height_m(at)) : 0, {0, 0}, 0};
+        };
+        make_beams(s, sample(grid, {Side::wall, Side::wall}, surface), b);
         const double transmittance = f64::refract_sun({0, 0, -1}, {0, 0}, 4.0 / 3, 1).transmittance;
         const double disc = std::numbers::pi, landed = transmittance * disc * (1 - std::exp(-.4)) / .4;
         dry = std::abs(b.ledger.dry_w / (9 - disc) - 1);
@@ -168,11 +172,19 @@ struct BowlErrors {
 };
 
 TEST(BeamGround, ABowlTakesWhatItsDepthsLeaveAndDryGroundTheRest) {
-    const BowlErrors coarse(40), fine(160);
+    const BowlErrors coarse(40, false), fine(160, false);
     EXPECT_LT(fine.dry, 1e-3);
     EXPECT_LT(fine.floor, 1e-3);
     EXPECT_LT(fine.dry, .1 * coarse.dry) << "second order: the shore cuts beams where it is";
     EXPECT_LT(fine.floor, .1 * coarse.floor);
+    const BowlErrors coarse_cells(40, true), fine_cells(160, true);
+    // First order: the shore is where a cell of the surface is dry, so that a rim as wide as it and a beam counts as
+    // wet.
+    const double rim_m = 3.0 / 320 + 3.0 / 160, disc_m2 = std::numbers::pi, rim_m2 = 2 * disc_m2 * rim_m;
+    EXPECT_LT(fine_cells.dry, rim_m2 / (9 - disc_m2));
+    EXPECT_LT(fine_cells.floor, rim_m2 * .4 / (disc_m2 * (1 - std::exp(-.4))));
+    EXPECT_LT(fine_cells.dry, .35 * coarse_cells.dry);
+    EXPECT_LT(fine_cells.floor, .35 * coarse_cells.floor);
 }
 
 TEST(BeamGround, RaysMeetTheGroundOnceAndNotBefore) {
