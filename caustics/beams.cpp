@@ -28,27 +28,33 @@ void validate(const BeamSettings& s) {
     if (!(s.least_cosine >= 0 && s.least_cosine < 1)) throw InputError("beams: least_cosine must be in [0, 1)");
 }
 
+/// The way of light behind a point of the surface.
+f32::Refraction bent(const BeamSettings& s, bool mirrored, glm::vec2 slope) {
+    const glm::vec3 sun(s.sun.direction());
+    const float index = static_cast<float>(s.optics.refractive_index), fresnel = s.optics.fresnel ? 1 : 0;
+    return mirrored ? f32::reflect_sun(sun, slope, index, fresnel) : f32::refract_sun(sun, slope, index, fresnel);
+}
+
 /// How far light strays from where still water would send it, per metre of descent: the most of any cell.
-double largest_stray(glm::vec3 sun, float index, glm::vec2 rest, const Surface& surface) {
+double largest_stray(const BeamSettings& s, bool mirrored, glm::vec2 rest, const Surface& surface) {
     float stray = 0;
 #pragma omp parallel for schedule(static) reduction(max : stray)
     for (int j = 0; j < surface.grid.ny; ++j) {
         const float *x = surface.slope_x.row(j), *y = surface.slope_y.row(j);
         for (int i = 0; i < surface.grid.nx; ++i) {
-            const f32::Refraction r = f32::refract_sun(sun, {x[i], y[i]}, index, 1);
-            if (r.incident > 0) stray = std::max(stray, glm::length(r.travel - rest));
+            const f32::Refraction r = bent(s, mirrored, {x[i], y[i]});
+            if (r.incident > 0 && r.path > 0) stray = std::max(stray, glm::length(r.travel - rest));
         }
     }
     return stray;
 }
 
 /// The least window whose light reaches all of the water below the domain. Light from beyond an absorbing side does.
-BeamWindow window_over(const BeamSettings& s, double depth_m, const Surface& surface, const SurfaceCapture& capture) {
+BeamWindow window_over(const BeamSettings& s, const Beams& beams, const Surface& surface,
+                       const SurfaceCapture& capture) {
     const Grid& g = surface.grid;
-    const glm::dvec3 sun = s.sun.direction();
-    const glm::dvec2 rest = f64::refract_sun(sun, {0, 0}, s.optics.refractive_index, 1).travel;
-    const double stray =
-        largest_stray(glm::vec3(sun), static_cast<float>(s.optics.refractive_index), glm::vec2(rest), surface);
+    const glm::vec2 rest = bent(s, beams.mirrored, {0, 0}).travel;
+    const double stray = largest_stray(s, beams.mirrored, rest, surface);
     const glm::dvec2 rise =
         glm::abs(capture.slant()) * std::max(std::abs(capture.lowest_m()), std::abs(capture.highest_m()));
     glm::dvec2 low{g.x0_m, g.y0_m}, high = low + glm::dvec2{g.width_m(), g.height_m()};
@@ -58,8 +64,8 @@ BeamWindow window_over(const BeamSettings& s, double depth_m, const Surface& sur
         low[axis] -= rise[axis];
         high[axis] += rise[axis];
         if (sides[axis] == Side::wall) continue;
-        low[axis] -= depth_m * (std::max(0.0, rest[axis]) + stray);
-        high[axis] += depth_m * (std::max(0.0, -rest[axis]) + stray);
+        low[axis] -= beams.depth_m * (std::max(0.0F, rest[axis]) + stray);
+        high[axis] += beams.depth_m * (std::max(0.0F, -rest[axis]) + stray);
     }
     return {low, high - low};
 }
@@ -76,15 +82,14 @@ void resize(Beams& beams, glm::ivec2 grid) {
 
 /// Captures and refracts row j of the corners.
 void fill_row(const BeamSettings& s, const SurfaceCapture& capture, const BeamWindow& window, int j, Beams& beams) {
-    const glm::vec3 sun(s.sun.direction());
-    const float index = static_cast<float>(s.optics.refractive_index), fresnel = s.optics.fresnel ? 1 : 0;
+    const float up = beams.mirrored ? -1 : 1;
     const glm::dvec2 pitch = window.size_m / glm::dvec2(s.grid);
     for (int i = 0; i <= s.grid.x; ++i) {
         const CapturedPoint p = capture.capture(window.origin_m + pitch * glm::dvec2{i, j});
-        const f32::Refraction r = f32::refract_sun(sun, glm::vec2(p.slope), index, fresnel);
+        const f32::Refraction r = bent(s, beams.mirrored, glm::vec2(p.slope));
         beams.x(i, j) = static_cast<float>(p.at_m.x);
         beams.y(i, j) = static_cast<float>(p.at_m.y);
-        beams.z(i, j) = static_cast<float>(p.at_m.z);
+        beams.z(i, j) = up * static_cast<float>(p.at_m.z);
         beams.travel_x(i, j) = r.travel.x;
         beams.travel_y(i, j) = r.travel.y;
         beams.path(i, j) = r.path;
@@ -105,6 +110,7 @@ struct BeamWay {
     glm::dvec3 area{0, 0, 0};   ///< of the triangle
     glm::dvec2 landed_m{0, 0};  ///< where its middle lands
     double transmittance = 0;   ///< mean of the corners
+    bool leaves = true;         ///< whether its light leaves the surface for good
     double wet = 1;             ///< part of the triangle below which there is water
     double remaining = 0;       ///< at the end of its way, of the flux of the whole triangle: without its dry part's
 };
@@ -133,6 +139,7 @@ BeamWay way_of(const Beams& beams, int b, int j) {
         way.transmittance += beams.transmittance(i, row) / 3.0;
         way.remaining += f64::beer_lambert(beams.extinction_per_m, descent * beams.path(i, row)) / 3;
         path += beams.path(i, row) / 3.0;
+        way.leaves = way.leaves && beams.path(i, row) > 0;
     }
     way.area = 0.5 * glm::cross(v[1] - v[0], v[2] - v[0]);
     if (std::ranges::any_of(depth, [](double d) { return d < 0; })) cut_dry(depth, beams.extinction_per_m, path, way);
@@ -141,13 +148,15 @@ BeamWay way_of(const Beams& beams, int b, int j) {
 
 /// The flux of each beam of row j, and what becomes of it. Light that lands is counted where its middle lands.
 BeamLedger charge_row(const BeamSettings& s, int j, Beams& beams) {
-    const glm::dvec3 sun = s.sun.direction();
+    const glm::dvec3 light = s.sun.direction();
+    // In the mirror the light comes from below the surface, and so opposes the normal of a triangle that it meets.
+    const glm::dvec3 sun = beams.mirrored ? glm::dvec3{-light.x, -light.y, light.z} : light;
     const double e0 = s.sun.elevation_deg > 0 ? s.sun.irradiance_w_m2 : 0;
     BeamLedger ledger;
     for (int b = 0; b < 2 * beams.nx; ++b) {
         const BeamWay way = way_of(beams, b, j);
         const double facing = -glm::dot(sun, way.area), incident = e0 * std::abs(facing);
-        const bool discarded = !(facing > s.least_cosine * glm::length(way.area));
+        const bool discarded = !way.leaves || !(facing > s.least_cosine * glm::length(way.area));
         ledger.incident_w += incident;
         if (discarded || !(way.wet > 0)) {
             (way.wet > 0 ? ledger.discarded_w : ledger.dry_w) += incident;
@@ -162,6 +171,38 @@ BeamLedger charge_row(const BeamSettings& s, int j, Beams& beams) {
         (in_domain(beams, way.landed_m) ? ledger.floor_w : ledger.outside_w) += flux * way.remaining;
     }
     return ledger;
+}
+
+/// Makes beams on the side of the surface that `beams` says.
+void fill(const BeamSettings& settings, const Surface& surface, Beams& beams) {
+    validate(settings);
+    BeamSettings s = settings;
+    if (!(s.sun.elevation_deg > 0)) s.sun = {90, 0, 0};
+    resize(beams, s.grid);
+    beams.domain = surface.grid;
+    beams.boundary = surface.boundary;
+    beams.depth_m = s.depth_m;
+    beams.ground = s.ground;
+    if (s.ground && static_cast<float>(s.depth_m) < -s.ground->lowest_m()) beams.depth_m = -s.ground->lowest_m();
+    beams.extinction_per_m = s.optics.extinction_per_m();
+    beams.time_s = surface.time_s;
+
+    const double reach = s.window ? glm::length(s.window->size_m + glm::abs(s.window->origin_m)) : 0;
+    const SurfaceCapture capture(surface, s.sun.direction(), reach);
+    const BeamWindow window = s.window.value_or(window_over(s, beams, surface, capture));
+    std::vector<BeamLedger> rows(s.grid.y);
+#pragma omp parallel
+    {
+#pragma omp for schedule(static)
+        for (int j = 0; j <= s.grid.y; ++j) fill_row(s, capture, window, j, beams);
+#pragma omp for schedule(static)
+        for (int j = 0; j < s.grid.y; ++j) rows[j] = charge_row(s, j, beams);
+    }
+    beams.ledger = {};
+    for (const BeamLedger& row : rows) beams.ledger = beams.ledger + row;
+    const auto [low, high] = std::minmax_element(beams.z.values().begin(), beams.z.values().end());
+    beams.lowest_m = *low;
+    beams.highest_m = *high;
 }
 
 }  // namespace
@@ -183,34 +224,15 @@ double BeamLedger::closure() const {
 }
 
 void make_beams(const BeamSettings& settings, const Surface& surface, Beams& beams) {
-    validate(settings);
-    BeamSettings s = settings;
-    if (!(s.sun.elevation_deg > 0)) s.sun = {90, 0, 0};
-    resize(beams, s.grid);
-    beams.domain = surface.grid;
-    beams.boundary = surface.boundary;
-    beams.depth_m = s.depth_m;
-    beams.ground = s.ground;
-    if (s.ground && static_cast<float>(s.depth_m) < -s.ground->lowest_m()) beams.depth_m = -s.ground->lowest_m();
-    beams.extinction_per_m = s.optics.extinction_per_m();
-    beams.time_s = surface.time_s;
+    beams.mirrored = false;
+    fill(settings, surface, beams);
+}
 
-    const double reach = s.window ? glm::length(s.window->size_m + glm::abs(s.window->origin_m)) : 0;
-    const SurfaceCapture capture(surface, s.sun.direction(), reach);
-    const BeamWindow window = s.window.value_or(window_over(s, beams.depth_m, surface, capture));
-    std::vector<BeamLedger> rows(s.grid.y);
-#pragma omp parallel
-    {
-#pragma omp for schedule(static)
-        for (int j = 0; j <= s.grid.y; ++j) fill_row(s, capture, window, j, beams);
-#pragma omp for schedule(static)
-        for (int j = 0; j < s.grid.y; ++j) rows[j] = charge_row(s, j, beams);
-    }
-    beams.ledger = {};
-    for (const BeamLedger& row : rows) beams.ledger = beams.ledger + row;
-    const auto [low, high] = std::minmax_element(beams.z.values().begin(), beams.z.values().end());
-    beams.lowest_m = *low;
-    beams.highest_m = *high;
+void make_reflected_beams(const BeamSettings& settings, const Surface& surface, Beams& beams) {
+    BeamSettings s = settings;
+    s.ground = nullptr;
+    beams.mirrored = true;
+    fill(s, surface, beams);
 }
 
 }  // namespace waterlight

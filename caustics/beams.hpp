@@ -34,8 +34,8 @@ struct BeamSettings {
 /// Where the light on the grid went, in watts. incident = reflected + extinguished + floor + outside + discarded + dry.
 struct BeamLedger {
     double incident_w = 0;
-    double reflected_w = 0;
-    double extinguished_w = 0;  ///< absorbed or scattered on the way down
+    double reflected_w = 0;     ///< off the surface; of reflected beams, what the surface lets in
+    double extinguished_w = 0;  ///< absorbed or scattered on the way
     double floor_w = 0;
     double outside_w = 0;    ///< landed beyond the domain's sides
     double discarded_w = 0;  ///< on triangles that turn away from the sun
@@ -57,6 +57,9 @@ struct Beams {
     double depth_m = 1;  ///< of the floor, or of the lowest ground where that is deeper
     double extinction_per_m = 0;
     double time_s = 0;
+    /// Whether these are beams of reflected light: heights are counted downwards from still water, so that the air is
+    /// where the water is of other beams, with a floor at -depth_m where they end.
+    bool mirrored = false;
 
     Field<float> x, y, z;             ///< corners on the surface, m
     Field<float> travel_x, travel_y;  ///< metres per metre of descent
@@ -84,5 +87,12 @@ inline std::array<glm::ivec2, 3> corners_of(int b, int j) {
 /// its ray first meets it; beams between dry corners carry none. `beams` is reused where its size fits.
 /// Throws InputError where a setting is out of its range.
 void make_beams(const BeamSettings& settings, const Surface& surface, Beams& beams);
+
+/// Beams of the light that the surface reflects, up to the height `depth_m`; absorption and scattering in `optics` are
+/// those of the air. Fields, places and pictures are made of them as of others, in heights counted downwards
+/// (`mirrored` of Beams; pictures with mirrored() of the camera). Light reflected twice is not followed: it passes
+/// through waves in its way, and where it leaves less than 0.57 degrees above the horizon it counts as discarded. The
+/// ground does not matter. Throws as make_beams().
+void make_reflected_beams(const BeamSettings& settings, const Surface& surface, Beams& beams);
 
 }  // namespace waterlight
