@@ -37,7 +37,8 @@ void require_above(const BeamGround& ground, glm::dvec3 camera) {
 
 BeamStage::BeamStage(const Scenario& scenario, const BuiltModel& model)
     : scenario_(scenario), ground_(ground_for(scenario, model)) {
-    if (scenario.camera && ground_) require_above(*ground_, scenario.camera->camera.position_m);
+    if (scenario.camera && !looks_from_air(scenario) && ground_)
+        require_above(*ground_, scenario.camera->camera.position_m);
     if (scenario.beams->volume_cells) moments_.resize(static_cast<std::size_t>(scenario.beams->volume_cells->z));
 }
 
@@ -49,12 +50,14 @@ BeamSettings BeamStage::settings() const {
 
 void BeamStage::compute(const Surface& surface) {
     make_beams(settings(), surface, beams_);
+    if (scenario_.beams->reflected) make_reflected_beams(reflected_settings(scenario_), surface, reflected_);
     if (scenario_.beams->volume_cells) fill_volume(beams_, *scenario_.beams->volume_cells, volume_);
     if (scenario_.camera) draw(surface);
 }
 
 void BeamStage::draw(const Surface& surface) {
     const BeamImageSettings picture = beam_image_settings(scenario_);
+    if (looks_from_air(scenario_)) return draw_beams(picture, reflected_, image_);
     if (!scenario_.beams->refine_below) return draw_beams(picture, beams_, image_);
     make_refined_beams(settings(), *scenario_.beams->refine_below, surface, refined_);
     draw_beams(picture, refined_, image_);
@@ -67,6 +70,11 @@ void BeamStage::add_frame() {
     record_.closure = std::max(record_.closure, ledger.closure());
     if (ledger.incident_w > 0)
         record_.discarded_fraction = std::max(record_.discarded_fraction, ledger.discarded_w / ledger.incident_w);
+    if (scenario_.beams->reflected) {
+        record_.last_reflected = reflected_.ledger;
+        record_.sum_reflected = record_.sum_reflected + reflected_.ledger;
+        record_.closure = std::max(record_.closure, reflected_.ledger.closure());
+    }
     if (volume()) add_volume();
     if (!image()) return;
     double sum = 0, most = 0;

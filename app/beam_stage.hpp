@@ -22,8 +22,9 @@ struct SliceStatistics {
 /// The light in the water over the run.
 struct BeamRecord {
     BeamLedger last_ledger, sum;
-    double closure = 0;             ///< largest
-    double discarded_fraction = 0;  ///< largest
+    double closure = 0;                        ///< largest
+    double discarded_fraction = 0;             ///< largest
+    BeamLedger last_reflected, sum_reflected;  ///< of the beams above the water, where there are any
     // Where there are fields:
     std::vector<SliceStatistics> slices;  ///< from the surface down
     double flux_error = 0;                ///< largest
@@ -64,6 +65,7 @@ class BeamStage {
     const Scenario& scenario_;
     std::shared_ptr<const BeamGround> ground_;  ///< none: a flat floor
     Beams beams_;
+    Beams reflected_;
     RefinedBeams refined_;
     BeamVolume volume_;
     BeamImage image_;

@@ -64,6 +64,18 @@ Json ledger_json(const BeamLedger& l, const WaterOptics& optics, double per) {
             {"closure", l.closure()}};
 }
 
+/// Of the light above the water: the same words, with the surface and the height where it ends for the floor.
+Json reflected_json(const BeamLedger& l, double per) {
+    return {{"incident_w", l.incident_w * per},
+            {"transmitted_w", l.reflected_w * per},
+            {"extinguished_w", l.extinguished_w * per},
+            {"through_height_w", l.floor_w * per},
+            {"outside_w", l.outside_w * per},
+            {"discarded_w", l.discarded_w * per},
+            {"dry_w", l.dry_w * per},
+            {"closure", l.closure()}};
+}
+
 Json slices_json(const std::vector<SliceStatistics>& slices) {
     Json json = Json::array();
     for (const SliceStatistics& s : slices)
@@ -82,6 +94,11 @@ Json beams_json(const BeamRecord& record, const Scenario& scenario, int frames) 
               {"ledger",
                {{"mean_over_frames", ledger_json(record.sum, scenario.optics, 1.0 / frames)},
                 {"last_frame", ledger_json(record.last_ledger, scenario.optics, 1)}}}};
+    if (scenario.beams->reflected)
+        json["reflected"] = {{"height_m", scenario.beams->reflected->height_m},
+                             {"ledger",
+                              {{"mean_over_frames", reflected_json(record.sum_reflected, 1.0 / frames)},
+                               {"last_frame", reflected_json(record.last_reflected, 1)}}}};
     if (scenario.beams->volume_cells)
         json["volume"] = {{"flux_error", record.flux_error},
                           {"brightest_depth_m", record.brightest_depth_m},

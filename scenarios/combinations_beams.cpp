@@ -18,10 +18,27 @@ void check_ground(const Scenario& s) {
                     "[caustics.beams] in the scenario, or model shallow-water");
 }
 
+/// Above the water a camera sees reflected light.
+void check_camera_in_air(const Scenario& s) {
+    const double height = s.camera->camera.position_m.z;
+    const std::optional<ReflectedSection>& reflected = s.beams->reflected;
+    if (!reflected)
+        s.origin.reject(
+            "camera.position_m", fmt::format("a height of {} m", height),
+            fmt::format("a height in the water, in (-{}, 0), or caustics.beams.reflected beside it", s.domain.depth_m));
+    if (height >= reflected->height_m)
+        s.origin.reject("camera.position_m", fmt::format("a height of {} m", height),
+                        fmt::format("one below caustics.beams.reflected.height_m = {}", reflected->height_m));
+    if (s.beams->refine_below)
+        s.origin.reject("caustics.beams.refine_below", "it beside a camera above the water", "a camera in the water");
+}
+
 void check_camera(const Scenario& s) {
     const Camera& c = s.camera->camera;
     if (!s.beams) s.origin.reject("camera", "it without [caustics.beams]", "[caustics.beams] in the scenario");
-    if (!(c.position_m.z < 0 && (has_ground(s) || c.position_m.z > -s.domain.depth_m)))
+    if (looks_from_air(s))
+        check_camera_in_air(s);
+    else if (!(c.position_m.z < 0 && (has_ground(s) || c.position_m.z > -s.domain.depth_m)))
         s.origin.reject("camera.position_m", fmt::format("a height of {} m", c.position_m.z),
                         fmt::format("a height in the water, in (-{}, 0)", s.domain.depth_m));
     if (c.position_m == c.target_m) s.origin.reject("camera.target_m", "the place of position_m", "another place");

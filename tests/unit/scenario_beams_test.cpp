@@ -86,6 +86,23 @@ TEST(ScenarioBeams, GroundIsForThemWherePrescribedWavesDoNotFeelIt) {
     EXPECT_EQ(parse(least + rock + tilted + beams + deep).camera->camera.position_m.z, -2.5);
 }
 
+TEST(ScenarioBeams, ACameraInTheAirSeesReflectedLight) {
+    const std::string above = "[camera]\nposition_m = [1, 2, 0.5]\ntarget_m = [4, 3, 0]\n";
+    const std::string reflected = "[caustics.beams.reflected]\nheight_m = 3.0\nscattering_per_m = 0.01\n";
+    const Scenario s = parse(least + reflected + above);
+    const BeamImageSettings image = beam_image_settings(s);
+    EXPECT_EQ(image.camera.position_m, glm::dvec3(1, 2, -.5));
+    EXPECT_TRUE(image.camera.mirrored);
+    EXPECT_EQ(image.optics.scattering_per_m, .01);
+    EXPECT_EQ(reflected_settings(s).depth_m, 3);
+    EXPECT_NE(rejection(least + beams + above).find("or caustics.beams.reflected beside it"), std::string::npos);
+    const std::string high = "[camera]\nposition_m = [1, 2, 3.5]\ntarget_m = [4, 3, 0]\n";
+    EXPECT_NE(rejection(least + reflected + high).find("below caustics.beams.reflected.height_m = 3"),
+              std::string::npos);
+    const std::string refined = "[caustics.beams]\nrefine_below = 0.5\n" + reflected + above;
+    EXPECT_NE(rejection(least + refined).find("caustics.beams.refine_below"), std::string::npos);
+}
+
 TEST(ScenarioBeams, FieldsThatDoNotFitTheMachineAreRejected) {
     const Scenario s = parse(least + "[caustics.beams]\nvolume_cells = [1024, 1024, 1024]\n");
     EXPECT_GT(estimate_memory(s).total(), 5e10);
