@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "app/flashes.hpp"
 #include "app/shallow_watch.hpp"
-#include "caustics/beam_point.hpp"
 #include "scenarios/build_shallow.hpp"
 #include "scenarios/resolve.hpp"
 #include "sim/error.hpp"
@@ -48,8 +48,10 @@ BeamSettings BeamStage::settings() const {
     return settings;
 }
 
+void BeamStage::compute_beams(const Surface& surface) { make_beams(settings(), surface, beams_); }
+
 void BeamStage::compute(const Surface& surface) {
-    make_beams(settings(), surface, beams_);
+    compute_beams(surface);
     if (scenario_.beams->reflected) make_reflected_beams(reflected_settings(scenario_), surface, reflected_);
     if (scenario_.beams->volume_cells) fill_volume(beams_, *scenario_.beams->volume_cells, volume_);
     if (scenario_.camera) draw(surface);
@@ -63,7 +65,7 @@ void BeamStage::draw(const Surface& surface) {
     draw_beams(picture, refined_, image_);
 }
 
-void BeamStage::add_frame() {
+void BeamStage::add_frame(double time_s) {
     const BeamLedger& ledger = beams_.ledger;
     record_.last_ledger = ledger;
     record_.sum = record_.sum + ledger;
@@ -75,7 +77,7 @@ void BeamStage::add_frame() {
         record_.sum_reflected = record_.sum_reflected + reflected_.ledger;
         record_.closure = std::max(record_.closure, reflected_.ledger.closure());
     }
-    if (volume()) add_volume();
+    if (volume()) add_volume(time_s);
     if (!image()) return;
     double sum = 0, most = 0;
     for (const float radiance : image_.radiance.values()) {
@@ -87,10 +89,15 @@ void BeamStage::add_frame() {
     record_.counts = image_.counts;
 }
 
-void BeamStage::add_volume() {
+void BeamStage::add_volume(double time_s) {
+    const bool is_first = flashing_.empty();
+    const double since_s = is_first ? 0 : time_s - last_frame_s_;
+    last_frame_s_ = time_s;
+    record_.sampled_every_s = std::max(record_.sampled_every_s, since_s);
+    if (is_first) flashing_.assign(volume_.plane_irradiance.size(), 1);
     float brightest = -1;
     for (int k = 0; k < volume_.cells.z; ++k) {
-        add_slice(k);
+        add_slice(k, since_s);
         const SliceLedger& l = volume_.ledger[static_cast<std::size_t>(k)];
         if (l.flux_w > 0)
             record_.flux_error = std::max(record_.flux_error, std::abs(l.inside_w + l.outside_w - l.flux_w) / l.flux_w);
@@ -102,7 +109,7 @@ void BeamStage::add_volume() {
     }
 }
 
-void BeamStage::add_slice(int k) {
+void BeamStage::add_slice(int k, double since_s) {
     const std::span<const float> cells = volume_.plane(k);
     const auto for_each = [&](auto&& take) {
         for (std::size_t n = 0; n < cells.size(); ++n)
@@ -114,7 +121,7 @@ void BeamStage::add_slice(int k) {
         count += 1;
     });
     Moments& m = moments_[static_cast<std::size_t>(k)];
-    const double flash = 1.5 * sum / std::max(count, 1.0);
+    const double flash = flash_level * sum / std::max(count, 1.0);
     for_each([&](double e) {
         m.squares += e * e;
         m.cubes += e * e * e;
@@ -123,6 +130,18 @@ void BeamStage::add_slice(int k) {
     m.sum += sum;
     m.count += count;
     m.cells += static_cast<double>(cells.size());
+    m.watched_s += since_s * count;
+    watch_flashes(k, flash);
+}
+
+void BeamStage::watch_flashes(int k, double level) {
+    const std::span<const float> cells = volume_.plane(k);
+    char* before = flashing_.data() + static_cast<std::size_t>(k) * cells.size();
+    for (std::size_t n = 0; n < cells.size(); ++n) {
+        const char now = cells[n] > level ? 1 : 0;
+        if (now > before[n] && volume_.above_ground(n, k)) moments_[static_cast<std::size_t>(k)].rises += 1;
+        before[n] = now;
+    }
 }
 
 BeamRecord BeamStage::record() const {
@@ -132,7 +151,8 @@ BeamRecord BeamStage::record() const {
         const double count = std::max(m.count, 1.0), mean = m.sum / count;
         const double variance = std::max(0.0, m.squares / count - mean * mean);
         const double third = m.cubes / count - 3 * mean * variance - mean * mean * mean;
-        SliceStatistics s{-volume_.z_m(k), mean, 0, 0, m.flashes / count, m.count / m.cells};
+        SliceStatistics s{-volume_.z_m(k), mean, 0, 0, m.flashes / count, 0, m.count / m.cells};
+        if (m.watched_s > 0) s.flash_rate_hz = m.rises / m.watched_s;
         if (mean > 0) s.cv = std::sqrt(variance) / mean;
         constexpr double even = 1e-5;  // below which the skewness would be that of rounding
         if (s.cv > even) s.skewness = third / std::pow(variance, 1.5);
@@ -141,8 +161,8 @@ BeamRecord BeamStage::record() const {
     return record;
 }
 
-double BeamStage::irradiance_at(glm::dvec2 at_m, double depth_m) const {
-    return waterlight::irradiance_at(beams_, {at_m, -depth_m}).plane_w_m2;
+PointIrradiance BeamStage::irradiance_at(glm::dvec2 at_m, double depth_m) const {
+    return waterlight::irradiance_at(beams_, {at_m, -depth_m});
 }
 
 }  // namespace waterlight

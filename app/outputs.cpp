@@ -26,6 +26,7 @@ std::vector<std::string> probe_columns(const Scenario& scenario) {
     for (const Probe& probe : scenario.probes) {
         columns.push_back(fmt::format("{}.elevation_m", probe.name));
         if (scenario.floor || probe.depth_m) columns.push_back(fmt::format("{}.irradiance_w_m2", probe.name));
+        if (probe.depth_m) columns.push_back(fmt::format("{}.scalar_irradiance_w_m2", probe.name));
     }
     return columns;
 }

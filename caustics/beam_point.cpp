@@ -64,11 +64,22 @@ bool beyond_walls(const Beams& b, glm::dvec3 p) {
            (b.boundary.y == Side::wall && (p.y < g.y0_m || p.y > g.y0_m + g.height_m()));
 }
 
+/// A place on the edge between two beams would be in both, or by rounding in none: it is read a millionth of the grid's
+/// pitch beside it, towards the middle of the domain.
+glm::dvec3 off_edges(const Beams& b, glm::dvec3 place) {
+    constexpr double hair = 1e-6;
+    const Grid& g = b.domain;
+    const double x = place.x > g.x0_m + 0.5 * g.width_m() ? -0.618 : 0.618;
+    const double y = place.y > g.y0_m + 0.5 * g.height_m() ? -0.755 : 0.755;
+    return place + hair * glm::dvec3{x * g.width_m() / b.nx, y * g.height_m() / b.ny, 0};
+}
+
 }  // namespace
 
-PointIrradiance irradiance_at(const Beams& beams, glm::dvec3 place_m) {
+PointIrradiance irradiance_at(const Beams& beams, glm::dvec3 at_m) {
     PointIrradiance sum;
-    if (beyond_walls(beams, place_m)) return sum;
+    const glm::dvec3 place_m = off_edges(beams, at_m);
+    if (beyond_walls(beams, at_m)) return sum;
     for (int j = 0; j < beams.ny; ++j) {
         for (int beam = 0; beam < 2 * beams.nx; ++beam) {
             const double flux = beams.flux(beam, j);

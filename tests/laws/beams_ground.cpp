@@ -187,6 +187,15 @@ TEST(BeamGround, ABowlTakesWhatItsDepthsLeaveAndDryGroundTheRest) {
     EXPECT_LT(fine_cells.floor, .35 * coarse_cells.floor);
 }
 
+TEST(BeamPoint, OnAnEdgeOfBeamsIsInOneOfThem) {
+    const Slope slope(90, Side::wall);
+    Beams beams;
+    make_beams(slope.settings, slope.surface(Side::wall), beams);
+    for (const double x : {.0, .5, .55, 4.0})  // edges of cells, and walls
+        for (const double y : {.0, .05, .5, 1.0})
+            EXPECT_EQ(irradiance_at(beams, {x, y, -.4}).beams, 1) << x << " " << y;
+}
+
 TEST(BeamGround, RaysMeetTheGroundOnceAndNotBefore) {
     const Grid grid = make_grid(80, 80, 4, 4);
     const auto ground = ground_of(grid, periodic, 1, BumpGround{{2, 2}, {.5, .5}, 0, .8});
