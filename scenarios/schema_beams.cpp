@@ -60,8 +60,8 @@ void describe_reflected(Visitor& v, ReflectedSection& s) {
 void describe_optics(Visitor& v, WaterOptics& o) {
     v.value(
         {"type", "",
-         "Water whose measured absorption, scattering and phase function (Petzold 1972, Mobley 1994) hold where the "
-         "keys below do not say otherwise."},
+         "Water whose absorption, scattering and phase function, measured at 514 nm (Petzold 1972, Mobley 1994), hold "
+         "where the keys below do not say otherwise."},
         water_type(o));
     v.value({"absorption_per_m", "1/m", "Absorption coefficient a.", not_negative}, &o.absorption_per_m);
     v.value({"scattering_per_m", "1/m", "Scattering coefficient b; the floor sees unscattered light.", not_negative},

@@ -98,6 +98,7 @@ TEST(BeamGround, ASlopeTakesTheTransmittedPowerLessItsAbsorption) {
     const Lit lit(slope.settings, slope.surface(Side::wall), {40, 1, 30});
     const double entered = slope.light.incident * slope.light.transmittance, c = .3 * slope.light.path;
     const double landed = entered * (std::exp(-.7 * c) - std::exp(-1.5 * c)) / (.2 * c);
+    RecordProperty("landed_error_percent", std::to_string(100 * (lit.beams.ledger.floor_w / landed - 1)));
     EXPECT_NEAR(lit.beams.ledger.floor_w / landed, 1, 1e-4);
     EXPECT_NEAR(lit.beams.ledger.extinguished_w / (4 * entered - landed), 1, 1e-4);
     for (int k = 0; k < 30; ++k) {
@@ -173,6 +174,8 @@ struct BowlErrors {
 
 TEST(BeamGround, ABowlTakesWhatItsDepthsLeaveAndDryGroundTheRest) {
     const BowlErrors coarse(40, false), fine(160, false);
+    RecordProperty("floor_error_percent_40", std::to_string(100 * coarse.floor));
+    RecordProperty("floor_error_percent_160", std::to_string(100 * fine.floor));
     EXPECT_LT(fine.dry, 1e-3);
     EXPECT_LT(fine.floor, 1e-3);
     EXPECT_LT(fine.dry, .1 * coarse.dry) << "second order: the shore cuts beams where it is";
@@ -181,6 +184,8 @@ TEST(BeamGround, ABowlTakesWhatItsDepthsLeaveAndDryGroundTheRest) {
     // First order: the shore is where a cell of the surface is dry, so that a rim as wide as it and a beam counts as
     // wet.
     const double rim_m = 3.0 / 320 + 3.0 / 160, disc_m2 = std::numbers::pi, rim_m2 = 2 * disc_m2 * rim_m;
+    RecordProperty("floor_error_percent_cells_40", std::to_string(100 * coarse_cells.floor));
+    RecordProperty("floor_error_percent_cells_160", std::to_string(100 * fine_cells.floor));
     EXPECT_LT(fine_cells.dry, rim_m2 / (9 - disc_m2));
     EXPECT_LT(fine_cells.floor, rim_m2 * .4 / (disc_m2 * (1 - std::exp(-.4))));
     EXPECT_LT(fine_cells.dry, .35 * coarse_cells.dry);

@@ -98,6 +98,7 @@ TEST(ReflectedBeams, ATroughFocusesThemAndACrestSpreadsThem) {
         if (e > brightest) focus = height;
         brightest = std::max(brightest, e);
     }
+    RecordProperty("focus_m", std::to_string(focus));
     EXPECT_NEAR(focus, 1 / (2 * curvature) - a, 1e-3);
     EXPECT_GT(brightest, 50 * reflectance);
 }
