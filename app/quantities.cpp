@@ -34,6 +34,7 @@ void add_slices(const std::vector<SliceStatistics>& slices, std::map<std::string
 void add_beams(const BeamRecord& beams, std::map<std::string, double>& q) {
     q["beams.ledger_closure"] = beams.closure;
     q["beams.discarded_fraction"] = beams.discarded_fraction;
+    q["beams.reflected_fraction"] = beams.sum.incident_w > 0 ? beams.sum.reflected_w / beams.sum.incident_w : none;
     q["volume.flux_error"] = beams.flux_error;
     q["volume.brightest_depth"] = beams.brightest_depth_m;
     add_slices(beams.slices, q);

@@ -42,6 +42,7 @@ constexpr std::array of_run{
     Quantity{"floor.truth_error", "", "the truth's own estimate of its relative error"},
     Quantity{"beams.ledger_closure", "", "largest part of the light over the run that is unaccounted for"},
     Quantity{"beams.discarded_fraction", "", "largest part of the light over the run on discarded triangles"},
+    Quantity{"beams.reflected_fraction", "", "part of the light that the surface reflects, over the frames"},
     Quantity{"volume.flux_error", "",
              "largest part of a slice's light over the run that is neither on its cells nor beyond a side"},
     Quantity{"volume.mean_irradiance", "W/m2", "downward, mean over the deepest slice and the frames"},

@@ -96,7 +96,8 @@ const std::vector<Shipped> all{{"pool", "2.0"},
                                {"open_sea_below", "2.0"},
                                {"harbour", "1.0"},
                                {"reef", "1.0"},
-                               {"flashes", "2.0"}};
+                               {"flashes", "2.0"},
+                               {"mirror", "1.0"}};
 
 class ShippedScenario : public ::testing::TestWithParam<Shipped> {
   protected:
