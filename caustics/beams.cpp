@@ -28,21 +28,29 @@ void validate(const BeamSettings& s) {
     if (!(s.least_cosine >= 0 && s.least_cosine < 1)) throw InputError("beams: least_cosine must be in [0, 1)");
 }
 
-/// The way of light behind a point of the surface.
-f32::Refraction bent(const BeamSettings& s, bool mirrored, glm::vec2 slope) {
-    const glm::vec3 sun(s.sun.direction());
-    const float index = static_cast<float>(s.optics.refractive_index), fresnel = s.optics.fresnel ? 1 : 0;
-    return mirrored ? f32::reflect_sun(sun, slope, index, fresnel) : f32::refract_sun(sun, slope, index, fresnel);
-}
+/// The way of light behind a point of the surface, by its slope.
+struct Bend {
+    glm::vec3 sun;
+    float index, fresnel;
+    bool mirrored;
+    Bend(const BeamSettings& s, bool is_mirrored)
+        : sun(s.sun.direction()),
+          index(static_cast<float>(s.optics.refractive_index)),
+          fresnel(s.optics.fresnel ? 1 : 0),
+          mirrored(is_mirrored) {}
+    f32::Refraction operator()(glm::vec2 slope) const {
+        return mirrored ? f32::reflect_sun(sun, slope, index, fresnel) : f32::refract_sun(sun, slope, index, fresnel);
+    }
+};
 
 /// How far light strays from where still water would send it, per metre of descent: the most of any cell.
-double largest_stray(const BeamSettings& s, bool mirrored, glm::vec2 rest, const Surface& surface) {
+double largest_stray(const Bend& bend, glm::vec2 rest, const Surface& surface) {
     float stray = 0;
 #pragma omp parallel for schedule(static) reduction(max : stray)
     for (int j = 0; j < surface.grid.ny; ++j) {
         const float *x = surface.slope_x.row(j), *y = surface.slope_y.row(j);
         for (int i = 0; i < surface.grid.nx; ++i) {
-            const f32::Refraction r = bent(s, mirrored, {x[i], y[i]});
+            const f32::Refraction r = bend({x[i], y[i]});
             if (r.incident > 0 && r.path > 0) stray = std::max(stray, glm::length(r.travel - rest));
         }
     }
@@ -53,8 +61,9 @@ double largest_stray(const BeamSettings& s, bool mirrored, glm::vec2 rest, const
 BeamWindow window_over(const BeamSettings& s, const Beams& beams, const Surface& surface,
                        const SurfaceCapture& capture) {
     const Grid& g = surface.grid;
-    const glm::vec2 rest = bent(s, beams.mirrored, {0, 0}).travel;
-    const double stray = largest_stray(s, beams.mirrored, rest, surface);
+    const Bend bend(s, beams.mirrored);
+    const glm::vec2 rest = bend({0, 0}).travel;
+    const double stray = largest_stray(bend, rest, surface);
     const glm::dvec2 rise =
         glm::abs(capture.slant()) * std::max(std::abs(capture.lowest_m()), std::abs(capture.highest_m()));
     glm::dvec2 low{g.x0_m, g.y0_m}, high = low + glm::dvec2{g.width_m(), g.height_m()};
@@ -82,11 +91,12 @@ void resize(Beams& beams, glm::ivec2 grid) {
 
 /// Captures and refracts row j of the corners.
 void fill_row(const BeamSettings& s, const SurfaceCapture& capture, const BeamWindow& window, int j, Beams& beams) {
+    const Bend bend(s, beams.mirrored);
     const float up = beams.mirrored ? -1 : 1;
     const glm::dvec2 pitch = window.size_m / glm::dvec2(s.grid);
     for (int i = 0; i <= s.grid.x; ++i) {
         const CapturedPoint p = capture.capture(window.origin_m + pitch * glm::dvec2{i, j});
-        const f32::Refraction r = bent(s, beams.mirrored, glm::vec2(p.slope));
+        const f32::Refraction r = bend(glm::vec2(p.slope));
         beams.x(i, j) = static_cast<float>(p.at_m.x);
         beams.y(i, j) = static_cast<float>(p.at_m.y);
         beams.z(i, j) = up * static_cast<float>(p.at_m.z);

@@ -176,5 +176,24 @@ TEST(ProbeRows, BetweenFramesHaveTheirIrradiance) {
     for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], expected[i], 1e-12);
 }
 
+TEST(ProbeRows, InTheWaterHaveScalarIrradianceToo) {
+    const Scratch folder("probes in the water");
+    const fs::path scenario =
+        folder.write("rows.toml",
+                     "[domain]\nsize_m = [1.0, 1.0]\ncells = [16, 16]\ndepth_m = 0.5\n[waves]\nslope = [0.0, 0.0]\n"
+                     "duration_s = 0.1\n[light]\nelevation_deg = 30.0\n[caustics.beams]\ngrid = [8, 8]\n"
+                     "[output]\nevery_s = 0.1\nprobe_every_s = 0.05\nformats = []\n"
+                     "[[probe]]\nname = \"a\"\nat_m = [0.5, 0.5]\ndepth_m = 0.25\n"
+                     "[[check]]\nquantity = \"probe.a.scalar_irradiance\"\nequals = 618.30\ntolerance = 0.1\n");
+    const Outcome outcome = run_program({"run", scenario.string(), "--out", (folder / "out").string()});
+    ASSERT_EQ(outcome.exit, 0) << outcome.output;
+    const auto rows = rows_of(folder / "out/probes.csv");
+    ASSERT_EQ(rows.size(), 4U);
+    EXPECT_EQ(rows[0].at(3), "a.scalar_irradiance_w_m2");
+    // Flat water, the sun at 30 degrees: the light goes down at 49.5 degrees, and lights a plane that faces it by more.
+    for (std::size_t i = 1; i < rows.size(); ++i)
+        EXPECT_NEAR(std::stod(rows[i].at(2)) / std::stod(rows[i].at(3)), std::sqrt(1 - .75 * 9 / 16), 1e-4);
+}
+
 }  // namespace
 }  // namespace waterlight::test

@@ -72,6 +72,12 @@ TEST(ScenarioBeams, WhatDoesNotGoTogetherIsRejected) {
            "without caustics.beams.volume_cells");
     expect("[[check]]\nquantity = \"beams.ledger_closure\"\nbelow = 1\n", "check[0].quantity",
            "without [caustics.beams]");
+    expect(beams +
+               "[[probe]]\nname = \"a\"\nat_m = [1, 1]\n[[check]]\nquantity = \"probe.a.scalar_irradiance\"\n"
+               "below = 1\n",
+           "check[0].quantity", "without depth_m of that probe");
+    expect(beams + "[[probe]]\nname = \"a\"\nat_m = [1, 1]\n[[check]]\nquantity = \"probe.a.flash_rate\"\nbelow = 1\n",
+           "check[0].quantity", "without [caustics.floor]");
     expect("[water]\ntype = \"milk\"\n", "water.type", "one of none, pure, clear-ocean, coastal, harbour");
 }
 
