@@ -3,36 +3,81 @@
 #include <algorithm>
 #include <cmath>
 
-#include "caustics/beam_point.hpp"
+#include <fmt/format.h>
+
+#include "app/flashes.hpp"
+#include "app/shallow_watch.hpp"
+#include "scenarios/build_shallow.hpp"
 #include "scenarios/resolve.hpp"
+#include "sim/error.hpp"
 
 namespace waterlight {
 
-BeamStage::BeamStage(const Scenario& scenario) : scenario_(scenario) {
+namespace {
+
+std::shared_ptr<const BeamGround> ground_for(const Scenario& scenario, const BuiltModel& model) {
+    const Grid grid = grid_of(scenario);
+    const Boundary boundary = resolve_boundary(scenario);
+    if (model.shallow) return std::make_shared<BeamGround>(grid, boundary, bed_of(*model.shallow, grid));
+    if (!scenario.domain.bathymetry && scenario.domain.ground.empty()) return nullptr;
+    const Field<double> stated = stated_ground(scenario);
+    Field<float> height(grid.nx, grid.ny);
+    std::copy_n(stated.data(), stated.size(), height.data());
+    return std::make_shared<BeamGround>(grid, boundary, std::move(height));
+}
+
+void require_above(const BeamGround& ground, glm::dvec3 camera) {
+    const double height = ground.height_m(glm::dvec2(camera));
+    if (camera.z > height) return;
+    throw InputError(fmt::format("camera.position_m: found a height of {} m; allowed: above the ground there, at {} m",
+                                 camera.z, height));
+}
+
+}  // namespace
+
+BeamStage::BeamStage(const Scenario& scenario, const BuiltModel& model)
+    : scenario_(scenario), ground_(ground_for(scenario, model)) {
+    if (scenario.camera && !looks_from_air(scenario) && ground_)
+        require_above(*ground_, scenario.camera->camera.position_m);
     if (scenario.beams->volume_cells) moments_.resize(static_cast<std::size_t>(scenario.beams->volume_cells->z));
 }
 
+BeamSettings BeamStage::settings() const {
+    BeamSettings settings = beam_settings(scenario_);
+    settings.ground = ground_;
+    return settings;
+}
+
+void BeamStage::compute_beams(const Surface& surface) { make_beams(settings(), surface, beams_); }
+
 void BeamStage::compute(const Surface& surface) {
-    make_beams(beam_settings(scenario_), surface, beams_);
+    compute_beams(surface);
+    if (scenario_.beams->reflected) make_reflected_beams(reflected_settings(scenario_), surface, reflected_);
     if (scenario_.beams->volume_cells) fill_volume(beams_, *scenario_.beams->volume_cells, volume_);
     if (scenario_.camera) draw(surface);
 }
 
 void BeamStage::draw(const Surface& surface) {
-    const BeamImageSettings settings = beam_image_settings(scenario_);
-    if (!scenario_.beams->refine_below) return draw_beams(settings, beams_, image_);
-    make_refined_beams(beam_settings(scenario_), *scenario_.beams->refine_below, surface, refined_);
-    draw_beams(settings, refined_, image_);
+    const BeamImageSettings picture = beam_image_settings(scenario_);
+    if (looks_from_air(scenario_)) return draw_beams(picture, reflected_, image_);
+    if (!scenario_.beams->refine_below) return draw_beams(picture, beams_, image_);
+    make_refined_beams(settings(), *scenario_.beams->refine_below, surface, refined_);
+    draw_beams(picture, refined_, image_);
 }
 
-void BeamStage::add_frame() {
+void BeamStage::add_frame(double time_s) {
     const BeamLedger& ledger = beams_.ledger;
     record_.last_ledger = ledger;
     record_.sum = record_.sum + ledger;
     record_.closure = std::max(record_.closure, ledger.closure());
     if (ledger.incident_w > 0)
         record_.discarded_fraction = std::max(record_.discarded_fraction, ledger.discarded_w / ledger.incident_w);
-    if (volume()) add_volume();
+    if (scenario_.beams->reflected) {
+        record_.last_reflected = reflected_.ledger;
+        record_.sum_reflected = record_.sum_reflected + reflected_.ledger;
+        record_.closure = std::max(record_.closure, reflected_.ledger.closure());
+    }
+    if (volume()) add_volume(time_s);
     if (!image()) return;
     double sum = 0, most = 0;
     for (const float radiance : image_.radiance.values()) {
@@ -44,43 +89,70 @@ void BeamStage::add_frame() {
     record_.counts = image_.counts;
 }
 
-void BeamStage::add_volume() {
+void BeamStage::add_volume(double time_s) {
+    const bool is_first = flashing_.empty();
+    const double since_s = is_first ? 0 : time_s - last_frame_s_;
+    last_frame_s_ = time_s;
+    record_.sampled_every_s = std::max(record_.sampled_every_s, since_s);
+    if (is_first) flashing_.assign(volume_.plane_irradiance.size(), 1);
     float brightest = -1;
     for (int k = 0; k < volume_.cells.z; ++k) {
-        add_slice(k);
+        add_slice(k, since_s);
         const SliceLedger& l = volume_.ledger[static_cast<std::size_t>(k)];
         if (l.flux_w > 0)
             record_.flux_error = std::max(record_.flux_error, std::abs(l.inside_w + l.outside_w - l.flux_w) / l.flux_w);
         for (const float e : volume_.plane(k)) {
             if (e <= brightest) continue;
             brightest = e;
-            record_.brightest_depth_m = -volume_.z_m(k, beams_.depth_m);
+            record_.brightest_depth_m = -volume_.z_m(k);
         }
     }
 }
 
-void BeamStage::add_slice(int k) {
+void BeamStage::add_slice(int k, double since_s) {
+    const std::span<const float> cells = volume_.plane(k);
+    const auto for_each = [&](auto&& take) {
+        for (std::size_t n = 0; n < cells.size(); ++n)
+            if (volume_.above_ground(n, k)) take(static_cast<double>(cells[n]));
+    };
+    double sum = 0, count = 0;
+    for_each([&](double e) {
+        sum += e;
+        count += 1;
+    });
     Moments& m = moments_[static_cast<std::size_t>(k)];
-    double sum = 0;
-    for (const float e : volume_.plane(k)) sum += e;
-    const double mean = sum / static_cast<double>(volume_.plane(k).size()), flash = 1.5 * mean;
-    for (const float value : volume_.plane(k)) {
-        const double e = value;
+    const double flash = flash_level * sum / std::max(count, 1.0);
+    for_each([&](double e) {
         m.squares += e * e;
         m.cubes += e * e * e;
         m.flashes += e > flash ? 1 : 0;
-    }
+    });
     m.sum += sum;
-    m.count += static_cast<double>(volume_.plane(k).size());
+    m.count += count;
+    m.cells += static_cast<double>(cells.size());
+    m.watched_s += since_s * count;
+    watch_flashes(k, flash);
+}
+
+void BeamStage::watch_flashes(int k, double level) {
+    const std::span<const float> cells = volume_.plane(k);
+    char* before = flashing_.data() + static_cast<std::size_t>(k) * cells.size();
+    for (std::size_t n = 0; n < cells.size(); ++n) {
+        const char now = cells[n] > level ? 1 : 0;
+        if (now > before[n] && volume_.above_ground(n, k)) moments_[static_cast<std::size_t>(k)].rises += 1;
+        before[n] = now;
+    }
 }
 
 BeamRecord BeamStage::record() const {
     BeamRecord record = record_;
     for (int k = static_cast<int>(moments_.size()) - 1; k >= 0; --k) {
         const Moments& m = moments_[static_cast<std::size_t>(k)];
-        const double mean = m.sum / m.count, variance = std::max(0.0, m.squares / m.count - mean * mean);
-        const double third = m.cubes / m.count - 3 * mean * variance - mean * mean * mean;
-        SliceStatistics s{-volume_.z_m(k, beams_.depth_m), mean, 0, 0, m.flashes / m.count};
+        const double count = std::max(m.count, 1.0), mean = m.sum / count;
+        const double variance = std::max(0.0, m.squares / count - mean * mean);
+        const double third = m.cubes / count - 3 * mean * variance - mean * mean * mean;
+        SliceStatistics s{-volume_.z_m(k), mean, 0, 0, m.flashes / count, 0, m.count / m.cells};
+        if (m.watched_s > 0) s.flash_rate_hz = m.rises / m.watched_s;
         if (mean > 0) s.cv = std::sqrt(variance) / mean;
         constexpr double even = 1e-5;  // below which the skewness would be that of rounding
         if (s.cv > even) s.skewness = third / std::pow(variance, 1.5);
@@ -89,8 +161,8 @@ BeamRecord BeamStage::record() const {
     return record;
 }
 
-double BeamStage::irradiance_at(glm::dvec2 at_m, double depth_m) const {
-    return waterlight::irradiance_at(beams_, {at_m, -depth_m}).plane_w_m2;
+PointIrradiance BeamStage::irradiance_at(glm::dvec2 at_m, double depth_m) const {
+    return waterlight::irradiance_at(beams_, {at_m, -depth_m});
 }
 
 }  // namespace waterlight

@@ -26,6 +26,7 @@ std::vector<std::string> probe_columns(const Scenario& scenario) {
     for (const Probe& probe : scenario.probes) {
         columns.push_back(fmt::format("{}.elevation_m", probe.name));
         if (scenario.floor || probe.depth_m) columns.push_back(fmt::format("{}.irradiance_w_m2", probe.name));
+        if (probe.depth_m) columns.push_back(fmt::format("{}.scalar_irradiance_w_m2", probe.name));
     }
     return columns;
 }
@@ -139,6 +140,7 @@ void Outputs::push(const FrameView& view, std::vector<double> probes) {
     if (view.floor) frame.irradiance = view.floor->irradiance.clone();
     if (view.volume && settings_.wants("vti")) {
         frame.volume_cells = view.volume->cells;
+        frame.volume_depth_m = view.volume->depth_m;
         frame.plane_irradiance = view.volume->plane_irradiance.clone();
         frame.scalar_irradiance = view.volume->scalar_irradiance.clone();
     }
@@ -180,8 +182,9 @@ void Outputs::write_fields(const FrameFiles& frame) {
         written_.insert(folder_ / "floor.pvd");
     }
     if (has_volume_) {
-        written_.insert(volume_series_.write(volume_frame({frame.surface.grid, depth_m_, time_s}, frame.volume_cells,
-                                                          frame.plane_irradiance, frame.scalar_irradiance)));
+        written_.insert(
+            volume_series_.write(volume_frame({frame.surface.grid, frame.volume_depth_m, time_s}, frame.volume_cells,
+                                              frame.plane_irradiance, frame.scalar_irradiance)));
         written_.insert(folder_ / "volume.pvd");
     }
 }

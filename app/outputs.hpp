@@ -36,6 +36,7 @@ struct FrameFiles {
     Field<float> irradiance;  ///< empty without a floor map
     Field<float> shown;       ///< elevation as pictures show it: NaN on dry ground; empty where there is none
     glm::ivec3 volume_cells{0, 0, 0};
+    double volume_depth_m = 1;
     Field<float> plane_irradiance, scalar_irradiance;  ///< in the water; empty without fields
     Field<float> radiance;                             ///< empty without a camera
     std::vector<double> probes;

@@ -28,16 +28,28 @@ void add_slices(const std::vector<SliceStatistics>& slices, std::map<std::string
     q["volume.max_cv_depth"] = most(&SliceStatistics::cv).depth_m;
     q["volume.max_skewness"] = most(&SliceStatistics::skewness).skewness;
     q["volume.max_flash_fraction"] = most(&SliceStatistics::flash_fraction).flash_fraction;
+    q["volume.max_flash_rate"] = most(&SliceStatistics::flash_rate_hz).flash_rate_hz;
 }
 
 void add_beams(const BeamRecord& beams, std::map<std::string, double>& q) {
     q["beams.ledger_closure"] = beams.closure;
     q["beams.discarded_fraction"] = beams.discarded_fraction;
+    q["beams.reflected_fraction"] = beams.sum.incident_w > 0 ? beams.sum.reflected_w / beams.sum.incident_w : none;
     q["volume.flux_error"] = beams.flux_error;
     q["volume.brightest_depth"] = beams.brightest_depth_m;
     add_slices(beams.slices, q);
     q["camera.mean_radiance"] = beams.mean_radiance;
     q["camera.max_radiance"] = beams.max_radiance;
+}
+
+void add_flicker(const std::string& prefix, const ProbeRecord& probe, std::map<std::string, double>& q) {
+    const Flicker flicker = flicker_of(probe.series);
+    q[prefix + "scalar_irradiance"] = probe.scalar_irradiance;
+    q[prefix + "mean_irradiance"] = flicker.mean;
+    q[prefix + "irradiance_cv"] = flicker.cv;
+    q[prefix + "irradiance_skewness"] = flicker.skewness;
+    q[prefix + "flash_rate"] = flicker.flash_rate_hz;
+    q[prefix + "longest_flash"] = flicker.longest_flash_s;
 }
 
 }  // namespace
@@ -93,6 +105,7 @@ std::map<std::string, double> quantities_of(const RunRecord& r) {
         if (r.shallow) q[prefix + "arrival_time"] = probe.arrival_s;
         q[prefix + "irradiance"] = probe.irradiance;
         q[prefix + "max_irradiance"] = probe.max_irradiance;
+        if (!probe.series.time_s.empty()) add_flicker(prefix, probe, q);
     }
     return q;
 }

@@ -81,8 +81,7 @@ void Recorder::add_floor(const FloorMap& map, double error_estimate) {
 
 void Recorder::add_statistics(const FloorMap& map) { record_.floor->last = statistics_of(map.irradiance); }
 
-std::vector<double> Recorder::add_probes(const Surface& surface,
-                                         const std::function<double(const Probe&)>& irradiance) {
+std::vector<double> Recorder::add_probes(const Surface& surface, const std::function<ProbeLight(const Probe&)>& light) {
     std::vector<double> columns;
     for (const Probe& probe : scenario_.probes) {
         const auto [entry, is_first] = record_.probes.try_emplace(probe.name);
@@ -95,11 +94,15 @@ std::vector<double> Recorder::add_probes(const Surface& surface,
             ++p.late_frames;
         }
         columns.push_back(p.elevation);
-        const double light = irradiance ? irradiance(probe) : none;
-        if (scenario_.floor || probe.depth_m) columns.push_back(light);
-        if (!irradiance && !is_first) continue;
-        p.irradiance = light;
-        p.max_irradiance = is_first ? light : std::max(p.max_irradiance, light);
+        const ProbeLight now = light(probe);
+        p.irradiance = now.plane_w_m2;
+        p.max_irradiance = is_first ? now.plane_w_m2 : std::max(p.max_irradiance, now.plane_w_m2);
+        p.scalar_irradiance = now.scalar_w_m2;
+        if (!scenario_.floor && !probe.depth_m) continue;
+        columns.push_back(now.plane_w_m2);
+        p.series.time_s.push_back(surface.time_s);
+        p.series.irradiance_w_m2.push_back(now.plane_w_m2);
+        if (probe.depth_m) columns.push_back(now.scalar_w_m2);
     }
     return columns;
 }

@@ -19,9 +19,9 @@ class Recorder {
     void add_floor(const FloorMap& map, double error_estimate);
     /// Of the last map.
     void add_statistics(const FloorMap& map);
-    /// Reads the probes; returns the columns of probes.csv. `irradiance` (W/m2 at a place on the floor) is empty where
-    /// no map is made, and then NaN in the columns of a scenario with a floor; the first time of such a one has a map.
-    std::vector<double> add_probes(const Surface& surface, const std::function<double(const Probe&)>& irradiance);
+    /// Reads the probes; returns the columns of probes.csv. `light` is asked of every probe, and heard where it has a
+    /// depth or the scenario a floor.
+    std::vector<double> add_probes(const Surface& surface, const std::function<ProbeLight(const Probe&)>& light);
 
     RunRecord& record() { return record_; }
 

@@ -60,6 +60,19 @@ Json ledger_json(const BeamLedger& l, const WaterOptics& optics, double per) {
             {"floor_w", l.floor_w * per},
             {"outside_w", l.outside_w * per},
             {"discarded_w", l.discarded_w * per},
+            {"dry_w", l.dry_w * per},
+            {"closure", l.closure()}};
+}
+
+/// Of the light above the water: the same words, with the surface and the height where it ends for the floor.
+Json reflected_json(const BeamLedger& l, double per) {
+    return {{"incident_w", l.incident_w * per},
+            {"transmitted_w", l.reflected_w * per},
+            {"extinguished_w", l.extinguished_w * per},
+            {"through_height_w", l.floor_w * per},
+            {"outside_w", l.outside_w * per},
+            {"discarded_w", l.discarded_w * per},
+            {"dry_w", l.dry_w * per},
             {"closure", l.closure()}};
 }
 
@@ -70,7 +83,9 @@ Json slices_json(const std::vector<SliceStatistics>& slices) {
                         {"mean_irradiance_w_m2", s.mean},
                         {"cv", s.cv},
                         {"skewness", s.skewness},
-                        {"flash_fraction", s.flash_fraction}});
+                        {"flash_fraction", s.flash_fraction},
+                        {"flash_rate_hz", s.flash_rate_hz},
+                        {"water_fraction", s.water_fraction}});
     return json;
 }
 
@@ -80,9 +95,15 @@ Json beams_json(const BeamRecord& record, const Scenario& scenario, int frames) 
               {"ledger",
                {{"mean_over_frames", ledger_json(record.sum, scenario.optics, 1.0 / frames)},
                 {"last_frame", ledger_json(record.last_ledger, scenario.optics, 1)}}}};
+    if (scenario.beams->reflected)
+        json["reflected"] = {{"height_m", scenario.beams->reflected->height_m},
+                             {"ledger",
+                              {{"mean_over_frames", reflected_json(record.sum_reflected, 1.0 / frames)},
+                               {"last_frame", reflected_json(record.last_reflected, 1)}}}};
     if (scenario.beams->volume_cells)
         json["volume"] = {{"flux_error", record.flux_error},
                           {"brightest_depth_m", record.brightest_depth_m},
+                          {"sampled_every_s", record.sampled_every_s},
                           {"slices", slices_json(record.slices)}};
     if (scenario.camera)
         json["camera"] = {{"mean_radiance_w_m2_sr", record.mean_radiance},
@@ -111,6 +132,22 @@ Json shallow_json(const ShallowRecord& record) {
     if (record.highest)
         json["highest_runup"] = {{"ground_m", record.highest->ground_m},
                                  {"at_m", {record.highest->at_m.x, record.highest->at_m.y}}};
+    return json;
+}
+
+/// The light at each probe that reads any.
+Json probes_json(const std::map<std::string, ProbeRecord>& probes) {
+    Json json = Json::object();
+    for (const auto& [name, probe] : probes) {
+        if (probe.series.time_s.empty()) continue;
+        const Flicker flicker = flicker_of(probe.series);
+        json[name] = {{"mean_irradiance_w_m2", flicker.mean},
+                      {"cv", flicker.cv},
+                      {"skewness", flicker.skewness},
+                      {"flash_rate_hz", flicker.flash_rate_hz},
+                      {"longest_flash_s", flicker.longest_flash_s},
+                      {"sampled_every_s", flicker.sampled_every_s}};
+    }
     return json;
 }
 
@@ -168,6 +205,7 @@ nlohmann::ordered_json report_json(const Scenario& scenario, const BackendDecisi
     }
     if (record.beams) json["beams"] = beams_json(*record.beams, scenario, record.frames);
     if (record.shallow) json["shallow_water"] = shallow_json(*record.shallow);
+    if (const Json light = probes_json(record.probes); !light.empty()) json["light_at_probes"] = light;
     json["mass_drift_m"] = record.waves.mass_drift_m;
     json["energy_drift"] = record.waves.energy_drift;
     json["quantities"] = quantities_of(record);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/beam_stage.hpp"
+#include "app/flashes.hpp"
 #include "app/floor_stage.hpp"
 #include "app/readings.hpp"
 #include "sim/runup.hpp"
@@ -28,12 +29,19 @@ struct StageTimes {
     double total = 0;
 };
 
+/// The light that a probe reads, W/m2; what it does not is not a number.
+struct ProbeLight {
+    double plane_w_m2 = std::numeric_limits<double>::quiet_NaN();   ///< downward, in the water or on the floor
+    double scalar_w_m2 = std::numeric_limits<double>::quiet_NaN();  ///< in the water
+};
+
 /// One probe over the run.
 struct ProbeRecord {
     double elevation = 0, min_elevation = 0, max_elevation = 0;  ///< m
     double late_squares = 0;  ///< sum of elevation squared over the rows of the second half, m2
     int late_frames = 0;
-    double irradiance = 0, max_irradiance = 0;
+    double irradiance = 0, max_irradiance = 0, scalar_irradiance = 0;
+    LightSeries series;  ///< empty where the probe reads no light
     double arrival_s = std::numeric_limits<double>::quiet_NaN();
 };
 

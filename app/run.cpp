@@ -101,7 +101,7 @@ class Run {
           waves_(for_section(scenario, "waves", [&] { return build_model(scenario, backend_.context); })),
           floor_(scenario.floor ? make_floor_stage(scenario, waves_, backend_) : nullptr),
           recorder_(scenario) {
-        if (scenario.beams) beams_.emplace(scenario);
+        if (scenario.beams) for_section(scenario, "caustics.beams", [&] { beams_.emplace(scenario, waves_); });
     }
 
     bool go() {
@@ -127,7 +127,7 @@ class Run {
                     record_row(now, outputs);
                     continue;
                 }
-                compute_further(now);
+                go_on(now, [this] { compute(); });
                 record(now, &moment == &moments.back(), outputs);
                 progress.show(recorder_.record().frames);
             }
@@ -155,16 +155,37 @@ class Run {
         if (beams_) timed(wall().beams, [&] { beams_->compute(*surface_); });
     }
 
+    /// What probes read between frames. The truth of a place needs no map.
+    void compute_for_probes() {
+        look();
+        bool in_water = false, on_floor = false;
+        for (const Probe& probe : scenario_.probes) (probe.depth_m ? in_water : on_floor) = true;
+        if (on_floor && floor_ && scenario_.floor->method != FloorMethod::truth)
+            timed(wall().floor, [&] { floor_->compute(*surface_, map_); });
+        if (in_water) timed(wall().beams, [&] { beams_->compute_beams(*surface_); });
+    }
+
     /// As a probe reads it: in the water, or on the floor.
-    double irradiance_at(const Probe& probe) const {
-        if (probe.depth_m) return beams_->irradiance_at(probe.at_m, *probe.depth_m);
-        return floor_ ? floor_->irradiance_at(*surface_, map_, probe.at_m) : std::numeric_limits<double>::quiet_NaN();
+    ProbeLight light_at(const Probe& probe) const {
+        ProbeLight light;
+        if (probe.depth_m) {
+            const PointIrradiance found = beams_->irradiance_at(probe.at_m, *probe.depth_m);
+            light = {found.plane_w_m2, found.scalar_w_m2};
+        } else if (floor_) {
+            light.plane_w_m2 = floor_->irradiance_at(*surface_, map_, probe.at_m);
+        }
+        return light;
+    }
+
+    std::vector<double> read_probes() {
+        return recorder_.add_probes(*surface_, [this](const Probe& probe) { return light_at(probe); });
     }
 
     /// What is refused once files are written is a failure of the run.
-    void compute_further(double time_s) {
+    template <class Work>
+    void go_on(double time_s, Work work) {
         try {
-            compute();
+            work();
         } catch (const InputError& error) {
             throw WorldError(fmt::format("at t = {} s: {}", time_s, error.what()));
         }
@@ -182,8 +203,8 @@ class Run {
                 recorder_.add_floor(map_, floor_->error_estimate());
                 if (last) recorder_.add_statistics(map_);
             }
-            if (beams_) beams_->add_frame();
-            probes = recorder_.add_probes(*surface_, [this](const Probe& probe) { return irradiance_at(probe); });
+            if (beams_) beams_->add_frame(time_s);
+            probes = read_probes();
         });
         const BeamVolume* volume = beams_ ? beams_->volume() : nullptr;
         const BeamImage* picture = beams_ ? beams_->image() : nullptr;
@@ -191,9 +212,9 @@ class Run {
     }
 
     void record_row(double time_s, Outputs& outputs) {
-        look();
+        go_on(time_s, [this] { compute_for_probes(); });
         std::vector<double> probes;
-        timed(wall().diagnostics, [&] { probes = recorder_.add_probes(*surface_, {}); });
+        timed(wall().diagnostics, [&] { probes = read_probes(); });
         outputs.push_row(time_s, std::move(probes));
     }
 

@@ -11,13 +11,6 @@ namespace waterlight {
 
 namespace {
 
-Field<float> bed_of(const ShallowWaterModel& model, const Grid& grid) {
-    Field<float> bed(grid.nx, grid.ny);
-    for (int j = 0; j < grid.ny; ++j)
-        for (int i = 0; i < grid.nx; ++i) bed(i, j) = static_cast<float>(model.bed_m(i, j));
-    return bed;
-}
-
 /// Of the depth: sum of absolute differences over the sum of the exact.
 double relative_l1(const Field<float>& depth, const Field<double>& exact) {
     double difference = 0, sum = 0;
@@ -29,6 +22,13 @@ double relative_l1(const Field<float>& depth, const Field<double>& exact) {
 }
 
 }  // namespace
+
+Field<float> bed_of(const ShallowWaterModel& model, const Grid& grid) {
+    Field<float> bed(grid.nx, grid.ny);
+    for (int j = 0; j < grid.ny; ++j)
+        for (int i = 0; i < grid.nx; ++i) bed(i, j) = static_cast<float>(model.bed_m(i, j));
+    return bed;
+}
 
 ShallowWatch::ShallowWatch(const Scenario& scenario, const ShallowWaterModel& model, const Surface& surface)
     : scenario_(scenario),

@@ -7,6 +7,9 @@
 
 namespace waterlight {
 
+/// Heights (m) of the model's ground.
+Field<float> bed_of(const ShallowWaterModel& model, const Grid& grid);
+
 class ShallowWatch {
   public:
     /// `surface` is that of the start. The model outlives the watch.

@@ -4,16 +4,12 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "caustics/kernels/surface_lookup.hpp"
+#include "caustics/axis_place.hpp"
+#include "caustics/first_crossing.hpp"
 
 namespace waterlight {
 
 namespace {
-
-f64::AxisPlace place(double at, double first, double pitch, int n, int side) {
-    const double cell = (at - first) / pitch, whole = std::floor(cell);
-    return f64::place_on_axis(static_cast<int>(whole), cell - whole, n, side, 0.5);
-}
 
 double mix(const Field<float>& f, const f64::AxisPlace& x, const f64::AxisPlace& y, double low = 1, double high = 1) {
     // `low` and `high` mirror the two columns.
@@ -48,8 +44,8 @@ SurfaceCapture::SurfaceCapture(const Surface& surface, glm::dvec3 sun_direction,
 
 SurfacePoint SurfaceCapture::surface_at(glm::dvec2 at_m) const {
     const Grid& g = surface_.grid;
-    const f64::AxisPlace x = place(at_m.x, g.x_m(0), g.dx_m, g.nx, side_number(surface_.boundary.x));
-    const f64::AxisPlace y = place(at_m.y, g.y_m(0), g.dy_m, g.ny, side_number(surface_.boundary.y));
+    const f64::AxisPlace x = axis_place(at_m.x, g.x_m(0), g.dx_m, g.nx, surface_.boundary.x);
+    const f64::AxisPlace y = axis_place(at_m.y, g.y_m(0), g.dy_m, g.ny, surface_.boundary.y);
     const double water = x.water * y.water;
     const double climb = f64::wraps_between(x) * climb_.x + f64::wraps_between(y) * climb_.y;
     return {
@@ -65,30 +61,10 @@ glm::dvec2 SurfaceCapture::hold(glm::dvec2 at_m) const {
     return at_m;
 }
 
-/// Height at which the ray first meets the surface: steps down to below it, then by the Illinois method.
+/// Height at which the ray first meets the surface.
 double SurfaceCapture::meet(glm::dvec2 at_m) const {
-    const auto above = [&](double z) { return z - surface_at(hold(at_m + z * slant_)).elevation_m; };
-    double z1 = high_, f1 = above(z1), z0 = z1, f0 = f1;
-    for (int k = 1; k <= steps_ && f1 > 0; ++k) {
-        z0 = z1;
-        f0 = f1;
-        z1 = high_ + (low_ - high_) * k / steps_;
-        f1 = above(z1);
-    }
-    if (f0 <= 0) return z0;
-    constexpr double enough_m = 1e-9;
-    for (int k = 0; k < 40 && std::abs(z1 - z0) > enough_m && f1 != 0; ++k) {
-        const double z = z1 - f1 * (z1 - z0) / (f1 - f0), f = above(z);
-        if (f * f1 < 0) {
-            z0 = z1;
-            f0 = f1;
-        } else {
-            f0 *= 0.5;
-        }
-        z1 = z;
-        f1 = f;
-    }
-    return z1;
+    return first_crossing({high_, low_, steps_},
+                          [&](double z) { return z - surface_at(hold(at_m + z * slant_)).elevation_m; });
 }
 
 CapturedPoint SurfaceCapture::capture(glm::dvec2 at_m) const {

@@ -8,6 +8,7 @@
 #include <glm/vec2.hpp>
 
 #include "caustics/cell_shares.hpp"
+#include "caustics/cut_triangle.hpp"
 #include "caustics/kernels/optics.hpp"
 #include "sim/error.hpp"
 
@@ -23,11 +24,22 @@ struct Landed {
 
 /// What a beam brings to a slice.
 struct Section {
-    std::array<glm::dvec2, 4> corner;
+    std::array<glm::dvec2, CutTriangle::most_corners> corner;
     int corners = 0;
     double flux = 0;  ///< W through the horizontal section
     double path = 1;  ///< of flux through a plane that faces the light for each of it
 };
+
+/// The ground in the middle of each column of a volume.
+Field<float> ground_under(const BeamGround& ground, const Grid& domain, glm::ivec3 cells) {
+    const glm::dvec2 corner{domain.x0_m, domain.y0_m};
+    const glm::dvec2 pitch = glm::dvec2{domain.width_m(), domain.height_m()} / glm::dvec2(cells);
+    Field<float> heights(cells.x, cells.y);
+    for (int j = 0; j < cells.y; ++j)
+        for (int i = 0; i < cells.x; ++i)
+            heights(i, j) = static_cast<float>(ground.height_m(corner + pitch * glm::dvec2{i + 0.5, j + 0.5}));
+    return heights;
+}
 
 /// One slice after another, by one thread.
 class SliceFiller {
@@ -79,45 +91,38 @@ class SliceFiller {
         const std::array<glm::ivec2, 3> at = corners_of(b, j);
         Section s{{}, 3, beams_.flux(b, j), 0};
         double remaining = 0;
-        int wet = 0;
+        int entered = 0, going_on = 0;
         for (int k = 0; k < 3; ++k) {
             const auto [i, row] = std::pair(at[k].x, at[k].y);
             s.corner[k] = {landed_.x(i, row), landed_.y(i, row)};
             remaining += landed_.remaining(i, row) / 3;
             s.path += beams_.path(i, row) / 3;
-            wet += beams_.z(i, row) >= z ? 1 : 0;
+            entered += beams_.z(i, row) >= z ? 1 : 0;
+            going_on += beams_.end_z(i, row) <= z ? 1 : 0;
         }
         s.flux *= remaining;
-        if (wet == 3) return s;
+        if (entered == 3 && going_on == 3) return s;
+        if (entered == 0 || going_on == 0) return {};
         return cut(s, at, z);
     }
 
-    /// The part of a section whose light has entered the water above z: cut where the surface is at z.
+    /// The part of a section whose light has entered the water above z and ends below: cut where the surface, and where
+    /// the light's end, is at z.
     Section cut(const Section& whole, const std::array<glm::ivec2, 3>& at, float z) const {
-        Section s = whole;
-        s.corners = 0;
-        std::array<glm::dvec2, 4> on_triangle;  // the same corners in the coordinates of the triangle
-        constexpr std::array<glm::dvec2, 3> unit{glm::dvec2{0, 0}, {1, 0}, {0, 1}};
-        const auto keep = [&](glm::dvec2 corner, glm::dvec2 place) {
-            on_triangle[s.corners] = place;
-            s.corner[s.corners++] = corner;
-        };
+        CutTriangle part;
         for (int k = 0; k < 3; ++k) {
-            const int n = (k + 1) % 3;
-            const double above = beams_.z(at[k].x, at[k].y) - z, next = beams_.z(at[n].x, at[n].y) - z;
-            if (above >= 0) keep(whole.corner[k], unit[k]);
-            if ((above > 0 && next < 0) || (above < 0 && next > 0)) {
-                const double part = above / (above - next);
-                keep(whole.corner[k] + part * (whole.corner[n] - whole.corner[k]),
-                     unit[k] + part * (unit[n] - unit[k]));
-            }
+            const double above = beams_.z(at[k].x, at[k].y) - z, below = z - beams_.end_z(at[k].x, at[k].y);
+            part.add({CutTriangle::corners[k], {above, below}});
         }
-        double share = 0;
-        for (int k = 1; k + 1 < s.corners; ++k) {
-            const glm::dvec2 p = on_triangle[k] - on_triangle[0], q = on_triangle[k + 1] - on_triangle[0];
-            share += p.x * q.y - p.y * q.x;
+        part = part.where_positive(0).where_positive(1);
+        Section s = whole;
+        s.corners = part.count;
+        for (int k = 0; k < part.count; ++k) {
+            const glm::dvec2 p = part.corner[k].at;
+            s.corner[k] =
+                whole.corner[0] + p.x * (whole.corner[1] - whole.corner[0]) + p.y * (whole.corner[2] - whole.corner[0]);
         }
-        s.flux *= std::abs(share);
+        s.flux *= part.share();
         return s;
     }
 
@@ -165,15 +170,16 @@ void fill_volume(const Beams& beams, glm::ivec3 cells, BeamVolume& volume) {
         volume.plane_irradiance = Field<float>(cells.x, cells.y * cells.z);
         volume.scalar_irradiance = Field<float>(cells.x, cells.y * cells.z);
     }
+    volume.depth_m = beams.depth_m;
+    volume.ground_m = beams.ground ? ground_under(*beams.ground, beams.domain, cells) : Field<float>();
     volume.ledger.assign(cells.z, {});
 #pragma omp parallel
     {
         SliceFiller filler(beams, cells);
 #pragma omp for schedule(dynamic, 1)
         for (int k = 0; k < cells.z; ++k)
-            volume.ledger[k] =
-                filler.fill(static_cast<float>(volume.z_m(k, beams.depth_m)), volume.plane_irradiance.row(k * cells.y),
-                            volume.scalar_irradiance.row(k * cells.y));
+            volume.ledger[k] = filler.fill(static_cast<float>(volume.z_m(k)), volume.plane_irradiance.row(k * cells.y),
+                                           volume.scalar_irradiance.row(k * cells.y));
     }
 }
 

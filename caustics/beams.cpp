@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "caustics/beam_capture.hpp"
+#include "caustics/cut_triangle.hpp"
 #include "caustics/kernels/optics.hpp"
 #include "sim/error.hpp"
 
@@ -27,27 +28,42 @@ void validate(const BeamSettings& s) {
     if (!(s.least_cosine >= 0 && s.least_cosine < 1)) throw InputError("beams: least_cosine must be in [0, 1)");
 }
 
+/// The way of light behind a point of the surface, by its slope.
+struct Bend {
+    glm::vec3 sun;
+    float index, fresnel;
+    bool mirrored;
+    Bend(const BeamSettings& s, bool is_mirrored)
+        : sun(s.sun.direction()),
+          index(static_cast<float>(s.optics.refractive_index)),
+          fresnel(s.optics.fresnel ? 1 : 0),
+          mirrored(is_mirrored) {}
+    f32::Refraction operator()(glm::vec2 slope) const {
+        return mirrored ? f32::reflect_sun(sun, slope, index, fresnel) : f32::refract_sun(sun, slope, index, fresnel);
+    }
+};
+
 /// How far light strays from where still water would send it, per metre of descent: the most of any cell.
-double largest_stray(glm::vec3 sun, float index, glm::vec2 rest, const Surface& surface) {
+double largest_stray(const Bend& bend, glm::vec2 rest, const Surface& surface) {
     float stray = 0;
 #pragma omp parallel for schedule(static) reduction(max : stray)
     for (int j = 0; j < surface.grid.ny; ++j) {
         const float *x = surface.slope_x.row(j), *y = surface.slope_y.row(j);
         for (int i = 0; i < surface.grid.nx; ++i) {
-            const f32::Refraction r = f32::refract_sun(sun, {x[i], y[i]}, index, 1);
-            if (r.incident > 0) stray = std::max(stray, glm::length(r.travel - rest));
+            const f32::Refraction r = bend({x[i], y[i]});
+            if (r.incident > 0 && r.path > 0) stray = std::max(stray, glm::length(r.travel - rest));
         }
     }
     return stray;
 }
 
 /// The least window whose light reaches all of the water below the domain. Light from beyond an absorbing side does.
-BeamWindow window_over(const BeamSettings& s, const Surface& surface, const SurfaceCapture& capture) {
+BeamWindow window_over(const BeamSettings& s, const Beams& beams, const Surface& surface,
+                       const SurfaceCapture& capture) {
     const Grid& g = surface.grid;
-    const glm::dvec3 sun = s.sun.direction();
-    const glm::dvec2 rest = f64::refract_sun(sun, {0, 0}, s.optics.refractive_index, 1).travel;
-    const double stray =
-        largest_stray(glm::vec3(sun), static_cast<float>(s.optics.refractive_index), glm::vec2(rest), surface);
+    const Bend bend(s, beams.mirrored);
+    const glm::vec2 rest = bend({0, 0}).travel;
+    const double stray = largest_stray(bend, rest, surface);
     const glm::dvec2 rise =
         glm::abs(capture.slant()) * std::max(std::abs(capture.lowest_m()), std::abs(capture.highest_m()));
     glm::dvec2 low{g.x0_m, g.y0_m}, high = low + glm::dvec2{g.width_m(), g.height_m()};
@@ -57,8 +73,8 @@ BeamWindow window_over(const BeamSettings& s, const Surface& surface, const Surf
         low[axis] -= rise[axis];
         high[axis] += rise[axis];
         if (sides[axis] == Side::wall) continue;
-        low[axis] -= s.depth_m * (std::max(0.0, rest[axis]) + stray);
-        high[axis] += s.depth_m * (std::max(0.0, -rest[axis]) + stray);
+        low[axis] -= beams.depth_m * (std::max(0.0F, rest[axis]) + stray);
+        high[axis] += beams.depth_m * (std::max(0.0F, -rest[axis]) + stray);
     }
     return {low, high - low};
 }
@@ -75,19 +91,19 @@ void resize(Beams& beams, glm::ivec2 grid) {
 
 /// Captures and refracts row j of the corners.
 void fill_row(const BeamSettings& s, const SurfaceCapture& capture, const BeamWindow& window, int j, Beams& beams) {
-    const glm::vec3 sun(s.sun.direction());
-    const float index = static_cast<float>(s.optics.refractive_index), fresnel = s.optics.fresnel ? 1 : 0;
+    const Bend bend(s, beams.mirrored);
+    const float up = beams.mirrored ? -1 : 1;
     const glm::dvec2 pitch = window.size_m / glm::dvec2(s.grid);
     for (int i = 0; i <= s.grid.x; ++i) {
         const CapturedPoint p = capture.capture(window.origin_m + pitch * glm::dvec2{i, j});
-        const f32::Refraction r = f32::refract_sun(sun, glm::vec2(p.slope), index, fresnel);
+        const f32::Refraction r = bend(glm::vec2(p.slope));
         beams.x(i, j) = static_cast<float>(p.at_m.x);
         beams.y(i, j) = static_cast<float>(p.at_m.y);
-        beams.z(i, j) = static_cast<float>(p.at_m.z);
+        beams.z(i, j) = up * static_cast<float>(p.at_m.z);
         beams.travel_x(i, j) = r.travel.x;
         beams.travel_y(i, j) = r.travel.y;
         beams.path(i, j) = r.path;
-        beams.end_z(i, j) = static_cast<float>(-s.depth_m);
+        beams.end_z(i, j) = static_cast<float>(s.ground ? s.ground->end_z(p.at_m, glm::dvec2(r.travel)) : -s.depth_m);
         beams.transmittance(i, j) = r.transmittance;
     }
 }
@@ -99,58 +115,76 @@ bool in_domain(const Beams& b, glm::dvec2 p) {
     return x && y;
 }
 
+/// A beam between its triangle and where it ends.
+struct BeamWay {
+    glm::dvec3 area{0, 0, 0};   ///< of the triangle
+    glm::dvec2 landed_m{0, 0};  ///< where its middle lands
+    double transmittance = 0;   ///< mean of the corners
+    bool leaves = true;         ///< whether its light leaves the surface for good
+    double wet = 1;             ///< part of the triangle below which there is water
+    double remaining = 0;       ///< at the end of its way, of the flux of the whole triangle: without its dry part's
+};
+
+/// Cuts off the part of a beam that is on dry ground, and what its flux loses on ways of these depths.
+void cut_dry(const std::array<double, 3>& depth_m, double extinction_per_m, double path, BeamWay& way) {
+    CutTriangle part;
+    for (int k = 0; k < 3; ++k) part.add({CutTriangle::corners[k], {depth_m[k], 0}});
+    part = part.where_positive(0);
+    way.wet = part.share();
+    way.remaining = part.integral(
+        [&](const CutTriangle::Corner& c) { return f64::beer_lambert(extinction_per_m, c.level[0] * path); });
+}
+
+BeamWay way_of(const Beams& beams, int b, int j) {
+    BeamWay way;
+    std::array<glm::dvec3, 3> v;
+    std::array<double, 3> depth{};
+    double path = 0;
+    for (int k = 0; k < 3; ++k) {
+        const int i = corners_of(b, j)[k].x, row = corners_of(b, j)[k].y;
+        v[k] = {beams.x(i, row), beams.y(i, row), beams.z(i, row)};
+        depth[k] = v[k].z - static_cast<double>(beams.end_z(i, row));
+        const double descent = std::max(0.0, depth[k]);
+        way.landed_m += (glm::dvec2(v[k]) + descent * glm::dvec2{beams.travel_x(i, row), beams.travel_y(i, row)}) / 3.0;
+        way.transmittance += beams.transmittance(i, row) / 3.0;
+        way.remaining += f64::beer_lambert(beams.extinction_per_m, descent * beams.path(i, row)) / 3;
+        path += beams.path(i, row) / 3.0;
+        way.leaves = way.leaves && beams.path(i, row) > 0;
+    }
+    way.area = 0.5 * glm::cross(v[1] - v[0], v[2] - v[0]);
+    if (std::ranges::any_of(depth, [](double d) { return d < 0; })) cut_dry(depth, beams.extinction_per_m, path, way);
+    return way;
+}
+
 /// The flux of each beam of row j, and what becomes of it. Light that lands is counted where its middle lands.
 BeamLedger charge_row(const BeamSettings& s, int j, Beams& beams) {
-    const glm::dvec3 sun = s.sun.direction();
+    const glm::dvec3 light = s.sun.direction();
+    // In the mirror the light comes from below the surface, and so opposes the normal of a triangle that it meets.
+    const glm::dvec3 sun = beams.mirrored ? glm::dvec3{-light.x, -light.y, light.z} : light;
     const double e0 = s.sun.elevation_deg > 0 ? s.sun.irradiance_w_m2 : 0;
     BeamLedger ledger;
     for (int b = 0; b < 2 * beams.nx; ++b) {
-        std::array<glm::dvec3, 3> v;
-        glm::dvec2 landed{0, 0};
-        double transmittance = 0, remaining = 0;
-        for (int k = 0; k < 3; ++k) {
-            const int i = corners_of(b, j)[k].x, row = corners_of(b, j)[k].y;
-            v[k] = {beams.x(i, row), beams.y(i, row), beams.z(i, row)};
-            const double descent = std::max(0.0, v[k].z - static_cast<double>(beams.end_z(i, row)));
-            landed += (glm::dvec2(v[k]) + descent * glm::dvec2{beams.travel_x(i, row), beams.travel_y(i, row)}) / 3.0;
-            transmittance += beams.transmittance(i, row) / 3.0;
-            remaining += f64::beer_lambert(beams.extinction_per_m, descent * beams.path(i, row)) / 3;
-        }
-        const glm::dvec3 area = 0.5 * glm::cross(v[1] - v[0], v[2] - v[0]);
-        const double facing = -glm::dot(sun, area), incident = e0 * std::abs(facing);
+        const BeamWay way = way_of(beams, b, j);
+        const double facing = -glm::dot(sun, way.area), incident = e0 * std::abs(facing);
+        const bool discarded = !way.leaves || !(facing > s.least_cosine * glm::length(way.area));
         ledger.incident_w += incident;
-        if (!(facing > s.least_cosine * glm::length(area))) {
-            ledger.discarded_w += incident;
+        if (discarded || !(way.wet > 0)) {
+            (way.wet > 0 ? ledger.discarded_w : ledger.dry_w) += incident;
             beams.flux(b, j) = 0;
             continue;
         }
-        const double flux = incident * transmittance;
+        const double flux = incident * way.transmittance;
         beams.flux(b, j) = static_cast<float>(flux);
-        ledger.reflected_w += incident - flux;
-        ledger.extinguished_w += flux * (1 - remaining);
-        (in_domain(beams, landed) ? ledger.floor_w : ledger.outside_w) += flux * remaining;
+        ledger.dry_w += incident * (1 - way.wet);
+        ledger.reflected_w += (incident - flux) * way.wet;
+        ledger.extinguished_w += flux * (way.wet - way.remaining);
+        (in_domain(beams, way.landed_m) ? ledger.floor_w : ledger.outside_w) += flux * way.remaining;
     }
     return ledger;
 }
 
-}  // namespace
-
-BeamLedger operator+(BeamLedger a, const BeamLedger& b) {
-    a.incident_w += b.incident_w;
-    a.reflected_w += b.reflected_w;
-    a.extinguished_w += b.extinguished_w;
-    a.floor_w += b.floor_w;
-    a.outside_w += b.outside_w;
-    a.discarded_w += b.discarded_w;
-    return a;
-}
-
-double BeamLedger::closure() const {
-    const double accounted = reflected_w + extinguished_w + floor_w + outside_w + discarded_w;
-    return incident_w > 0 ? std::abs(incident_w - accounted) / incident_w : 0;
-}
-
-void make_beams(const BeamSettings& settings, const Surface& surface, Beams& beams) {
+/// Makes beams on the side of the surface that `beams` says.
+void fill(const BeamSettings& settings, const Surface& surface, Beams& beams) {
     validate(settings);
     BeamSettings s = settings;
     if (!(s.sun.elevation_deg > 0)) s.sun = {90, 0, 0};
@@ -158,12 +192,14 @@ void make_beams(const BeamSettings& settings, const Surface& surface, Beams& bea
     beams.domain = surface.grid;
     beams.boundary = surface.boundary;
     beams.depth_m = s.depth_m;
+    beams.ground = s.ground;
+    if (s.ground && static_cast<float>(s.depth_m) < -s.ground->lowest_m()) beams.depth_m = -s.ground->lowest_m();
     beams.extinction_per_m = s.optics.extinction_per_m();
     beams.time_s = surface.time_s;
 
     const double reach = s.window ? glm::length(s.window->size_m + glm::abs(s.window->origin_m)) : 0;
     const SurfaceCapture capture(surface, s.sun.direction(), reach);
-    const BeamWindow window = s.window.value_or(window_over(s, surface, capture));
+    const BeamWindow window = s.window.value_or(window_over(s, beams, surface, capture));
     std::vector<BeamLedger> rows(s.grid.y);
 #pragma omp parallel
     {
@@ -177,6 +213,36 @@ void make_beams(const BeamSettings& settings, const Surface& surface, Beams& bea
     const auto [low, high] = std::minmax_element(beams.z.values().begin(), beams.z.values().end());
     beams.lowest_m = *low;
     beams.highest_m = *high;
+}
+
+}  // namespace
+
+BeamLedger operator+(BeamLedger a, const BeamLedger& b) {
+    a.incident_w += b.incident_w;
+    a.reflected_w += b.reflected_w;
+    a.extinguished_w += b.extinguished_w;
+    a.floor_w += b.floor_w;
+    a.outside_w += b.outside_w;
+    a.discarded_w += b.discarded_w;
+    a.dry_w += b.dry_w;
+    return a;
+}
+
+double BeamLedger::closure() const {
+    const double accounted = reflected_w + extinguished_w + floor_w + outside_w + discarded_w + dry_w;
+    return incident_w > 0 ? std::abs(incident_w - accounted) / incident_w : 0;
+}
+
+void make_beams(const BeamSettings& settings, const Surface& surface, Beams& beams) {
+    beams.mirrored = false;
+    fill(settings, surface, beams);
+}
+
+void make_reflected_beams(const BeamSettings& settings, const Surface& surface, Beams& beams) {
+    BeamSettings s = settings;
+    s.ground = nullptr;
+    beams.mirrored = true;
+    fill(s, surface, beams);
 }
 
 }  // namespace waterlight

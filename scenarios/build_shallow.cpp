@@ -120,7 +120,9 @@ Field<double> bed_of(const ShallowExact& state, const Grid& grid, double depth_m
     return bed;
 }
 
-Field<double> ground_of(const Scenario& s) {
+}  // namespace
+
+Field<double> stated_ground(const Scenario& s) {
     Bathymetry bathymetry{.depth_m = s.domain.depth_m, .file = std::nullopt, .shapes = s.domain.ground};
     if (s.domain.bathymetry) {
         bathymetry.file = s.domain.survey;
@@ -128,8 +130,6 @@ Field<double> ground_of(const Scenario& s) {
     }
     return ground_heights(bathymetry, grid_of(s));
 }
-
-}  // namespace
 
 ShallowWaterSettings shallow_settings(const Scenario& s) {
     ShallowWaterSettings settings;
@@ -146,7 +146,7 @@ ShallowWaterSettings shallow_settings(const Scenario& s) {
         set_initial({*exact}, settings);
         return settings;
     }
-    settings.bed_m = ground_of(s);
+    settings.bed_m = stated_ground(s);
     set_initial(s.waves.initial, settings);
     return settings;
 }

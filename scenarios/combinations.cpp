@@ -146,11 +146,12 @@ std::string_view lacking_section(const Scenario& s, const std::string& quantity)
     const auto in_water = [&](const Probe& probe) {
         return probe.depth_m && quantity.starts_with("probe." + probe.name + ".");
     };
-    const bool of_floor = quantity.starts_with("floor.") || quantity.ends_with("irradiance");
+    const bool of_floor = quantity.starts_with("floor.") || is_of_light(quantity);
     if (quantity.starts_with("beams.")) return s.beams ? "" : "[caustics.beams]";
     if (quantity.starts_with("volume.")) return s.beams && s.beams->volume_cells ? "" : "caustics.beams.volume_cells";
     if (quantity.starts_with("camera.")) return s.camera ? "" : "[camera]";
     if (std::any_of(s.probes.begin(), s.probes.end(), in_water)) return "";
+    if (quantity.ends_with(".scalar_irradiance")) return "depth_m of that probe";
     return of_floor && !s.floor ? "[caustics.floor]" : "";
 }
 

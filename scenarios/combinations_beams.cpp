@@ -8,10 +8,37 @@ namespace waterlight {
 
 namespace {
 
+bool has_ground(const Scenario& s) { return s.domain.bathymetry || !s.domain.ground.empty(); }
+
+/// Waves that are prescribed do not feel the ground: it is there for light alone.
+void check_ground(const Scenario& s) {
+    if (!has_ground(s) || s.beams || resolve_model(s).model != ModelChoice::prescribed) return;
+    s.origin.reject(s.domain.bathymetry ? "domain.bathymetry" : "domain.ground",
+                    "it beside waves.model = \"prescribed\" without [caustics.beams]",
+                    "[caustics.beams] in the scenario, or model shallow-water");
+}
+
+/// Above the water a camera sees reflected light.
+void check_camera_in_air(const Scenario& s) {
+    const double height = s.camera->camera.position_m.z;
+    const std::optional<ReflectedSection>& reflected = s.beams->reflected;
+    if (!reflected)
+        s.origin.reject(
+            "camera.position_m", fmt::format("a height of {} m", height),
+            fmt::format("a height in the water, in (-{}, 0), or caustics.beams.reflected beside it", s.domain.depth_m));
+    if (height >= reflected->height_m)
+        s.origin.reject("camera.position_m", fmt::format("a height of {} m", height),
+                        fmt::format("one below caustics.beams.reflected.height_m = {}", reflected->height_m));
+    if (s.beams->refine_below)
+        s.origin.reject("caustics.beams.refine_below", "it beside a camera above the water", "a camera in the water");
+}
+
 void check_camera(const Scenario& s) {
     const Camera& c = s.camera->camera;
     if (!s.beams) s.origin.reject("camera", "it without [caustics.beams]", "[caustics.beams] in the scenario");
-    if (!(c.position_m.z < 0 && c.position_m.z > -s.domain.depth_m))
+    if (looks_from_air(s))
+        check_camera_in_air(s);
+    else if (!(c.position_m.z < 0 && (has_ground(s) || c.position_m.z > -s.domain.depth_m)))
         s.origin.reject("camera.position_m", fmt::format("a height of {} m", c.position_m.z),
                         fmt::format("a height in the water, in (-{}, 0)", s.domain.depth_m));
     if (c.position_m == c.target_m) s.origin.reject("camera.target_m", "the place of position_m", "another place");
@@ -24,12 +51,13 @@ void check_camera(const Scenario& s) {
 }  // namespace
 
 void check_beams(const Scenario& s) {
+    check_ground(s);
     if (s.camera) check_camera(s);
     for (std::size_t i = 0; i < s.probes.size(); ++i) {
         if (!s.probes[i].depth_m) continue;
         const std::string key = fmt::format("probe[{}].depth_m", i);
         if (!s.beams) s.origin.reject(key, "it without [caustics.beams]", "[caustics.beams] in the scenario");
-        if (*s.probes[i].depth_m > s.domain.depth_m)
+        if (!has_ground(s) && *s.probes[i].depth_m > s.domain.depth_m)
             s.origin.reject(key, fmt::format("{}", *s.probes[i].depth_m),
                             fmt::format("at most domain.depth_m = {}", s.domain.depth_m));
     }

@@ -126,8 +126,9 @@ void check_shallow(const Scenario& s) {
     require_model(s, w.wet_m.has_value(), "waves.wet_m", shallow);
     require_model(s, !w.inflows.empty(), "waves.inflow", shallow);
     require_model(s, !w.initial.empty(), "waves.initial", shallow);
-    require_model(s, s.domain.bathymetry.has_value(), "domain.bathymetry", shallow);
-    require_model(s, !s.domain.ground.empty(), "domain.ground", shallow);
+    const std::vector<ModelChoice> over_ground{ModelChoice::shallow_water, ModelChoice::prescribed};
+    require_model(s, s.domain.bathymetry.has_value(), "domain.bathymetry", over_ground);
+    require_model(s, !s.domain.ground.empty(), "domain.ground", over_ground);
     if (!s.domain.bathymetry && s.origin.places.contains("domain.survey"))
         s.origin.reject("domain.survey", "it without domain.bathymetry", "domain.bathymetry beside it");
     check_shapes(s);

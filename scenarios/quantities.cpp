@@ -42,6 +42,7 @@ constexpr std::array of_run{
     Quantity{"floor.truth_error", "", "the truth's own estimate of its relative error"},
     Quantity{"beams.ledger_closure", "", "largest part of the light over the run that is unaccounted for"},
     Quantity{"beams.discarded_fraction", "", "largest part of the light over the run on discarded triangles"},
+    Quantity{"beams.reflected_fraction", "", "part of the light that the surface reflects, over the frames"},
     Quantity{"volume.flux_error", "",
              "largest part of a slice's light over the run that is neither on its cells nor beyond a side"},
     Quantity{"volume.mean_irradiance", "W/m2", "downward, mean over the deepest slice and the frames"},
@@ -50,6 +51,8 @@ constexpr std::array of_run{
     Quantity{"volume.max_cv_depth", "m", "depth of that slice"},
     Quantity{"volume.max_skewness", "", "largest skewness of any slice over cells and frames"},
     Quantity{"volume.max_flash_fraction", "", "largest part of any slice above 1.5 times its mean"},
+    Quantity{"volume.max_flash_rate", "1/s",
+             "largest rate of any slice at which a cell rises above 1.5 times its mean, from frame to frame"},
     Quantity{"camera.mean_radiance", "W/(m2 sr)", "mean over the picture"},
     Quantity{"camera.max_radiance", "W/(m2 sr)", "brightest pixel"},
 };
@@ -61,7 +64,13 @@ constexpr std::array of_probe{
     Quantity{"rms_elevation", "m", "root mean square over the rows of the second half of the run"},
     Quantity{"arrival_time", "s", "when the water came, or first rose by waves.wet_m; model shallow-water"},
     Quantity{"irradiance", "W/m2", "downward on the floor below, or at the probe's depth, at the end"},
-    Quantity{"max_irradiance", "W/m2", "the same, greatest over the frames"},
+    Quantity{"max_irradiance", "W/m2", "the same, greatest over the rows of probes.csv"},
+    Quantity{"mean_irradiance", "W/m2", "the same, mean over time"},
+    Quantity{"irradiance_cv", "", "its coefficient of variation in time: standard deviation / mean"},
+    Quantity{"irradiance_skewness", "", "its skewness in time"},
+    Quantity{"flash_rate", "1/s", "at which it rises above 1.5 times its mean over time"},
+    Quantity{"longest_flash", "s", "that it stays above"},
+    Quantity{"scalar_irradiance", "W/m2", "at the probe's depth, at the end"},
 };
 
 // What the model shallow-water alone has.
@@ -69,6 +78,12 @@ constexpr std::array of_shallow_water{"waves.volume_drift",   "waves.momentum_x"
                                       "waves.inundated_area", "waves.max_runup",  "waves.min_depth",  "waves.exact_l1"};
 
 }  // namespace
+
+bool is_of_light(std::string_view quantity) {
+    for (const char* end : {"irradiance", ".irradiance_cv", ".irradiance_skewness", ".flash_rate", ".longest_flash"})
+        if (quantity.ends_with(end)) return true;
+    return false;
+}
 
 bool is_of_shallow_water(std::string_view quantity) {
     return std::find(of_shallow_water.begin(), of_shallow_water.end(), quantity) != of_shallow_water.end() ||

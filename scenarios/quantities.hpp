@@ -22,6 +22,8 @@ std::span<const Quantity> run_quantities();
 std::span<const Quantity> probe_quantities();
 /// Whether only the model shallow-water has it.
 bool is_of_shallow_water(std::string_view quantity);
+/// Whether it is of the light on the floor or at a probe, if not of the run as a whole.
+bool is_of_light(std::string_view quantity);
 /// The full names that this scenario's checks may use.
 std::vector<std::string> quantity_names(const Scenario& scenario);
 

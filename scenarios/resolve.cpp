@@ -91,14 +91,28 @@ BeamSettings beam_settings(const Scenario& scenario) {
     return settings;
 }
 
+BeamSettings reflected_settings(const Scenario& scenario) {
+    assert(scenario.beams && scenario.beams->reflected);
+    const ReflectedSection& reflected = *scenario.beams->reflected;
+    BeamSettings settings = beam_settings(scenario);
+    settings.depth_m = reflected.height_m;
+    settings.optics.absorption_per_m = reflected.absorption_per_m;
+    settings.optics.scattering_per_m = reflected.scattering_per_m;
+    settings.optics.phase = reflected.phase;
+    return settings;
+}
+
+bool looks_from_air(const Scenario& scenario) { return scenario.camera && scenario.camera->camera.position_m.z > 0; }
+
 BeamImageSettings beam_image_settings(const Scenario& scenario) {
     assert(scenario.camera);
     constexpr double dim = 6.9;  // ln 1000
     const double longest_m = 2 * std::max(scenario.domain.size_m.x, scenario.domain.size_m.y);
-    const double extinction = scenario.optics.extinction_per_m();
+    const bool air = looks_from_air(scenario);
     BeamImageSettings settings;
-    settings.camera = scenario.camera->camera;
-    settings.optics = scenario.optics;
+    settings.camera = air ? mirrored(scenario.camera->camera) : scenario.camera->camera;
+    settings.optics = air ? reflected_settings(scenario).optics : scenario.optics;
+    const double extinction = settings.optics.extinction_per_m();
     settings.samples = scenario.camera->samples;
     settings.reduction = scenario.camera->reduction;
     settings.range_m =

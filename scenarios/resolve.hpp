@@ -31,8 +31,12 @@ Grid grid_of(const Scenario& scenario);
 FloorSettings floor_settings(const Scenario& scenario);
 /// Of the beams. The scenario has them.
 BeamSettings beam_settings(const Scenario& scenario);
-/// Of the picture. The scenario has a camera. Left open, its range is where a thousandth of the light is left, at most
-/// twice the domain's longer side.
+/// Of the beams of reflected light. The scenario has them.
+BeamSettings reflected_settings(const Scenario& scenario);
+/// Whether the scenario has a camera that is above still water.
+bool looks_from_air(const Scenario& scenario);
+/// Of the picture, where it is taken in the air that of the mirrored camera. The scenario has a camera. Left open, its
+/// range is where a thousandth of the light is left, at most twice the domain's longer side.
 BeamImageSettings beam_image_settings(const Scenario& scenario);
 
 }  // namespace waterlight

@@ -77,12 +77,21 @@ struct FloorSection {
     int most_subsamples = 32;            ///< of the truth: per pixel and axis, where its refinement ends
 };
 
+/// Beams of the light that the surface reflects, and the air that they pass.
+struct ReflectedSection {
+    double height_m = 1;          ///< where they end
+    double absorption_per_m = 0;  ///< of the air, as the next
+    double scattering_per_m = 1e-4;
+    Phase phase{.g = 0.75};
+};
+
 struct BeamsSection {
     glm::ivec2 grid{128, 128};
     std::optional<glm::dvec2> centre_m;      ///< of the grid, at still water along the sun's rays; none: the domain's
     std::optional<glm::dvec2> size_m;        ///< none: all that lights the domain
     std::optional<glm::ivec3> volume_cells;  ///< none: no fields in the water
     std::optional<double> refine_below;      ///< share of make_refined_beams(), for pictures; none: one grid
+    std::optional<ReflectedSection> reflected;
 };
 
 /// A picture of the light that the water scatters.

@@ -202,10 +202,12 @@ void describe_floor(Visitor& v, FloorSection& s) {
 
 void describe_output(Visitor& v, OutputSection& s) {
     v.value({"every_s", "s", "Time between frames.", positive}, &s.every_s);
-    v.value(
-        {"probe_every_s", "s", "Time between the rows of probes.csv, frames or not; between frames irradiance is nan.",
-         positive, false, "every_s"},
-        &s.probe_every_s);
+    v.value({"probe_every_s", "s",
+             "Time between the rows of probes.csv, frames or not; for each row beams and the two-pass map are made "
+             "anew where "
+             "a probe reads them.",
+             positive, false, "every_s"},
+            &s.probe_every_s);
     v.value({"formats", "", "What to write; png16 is 16-bit grey with its scale in the file."},
             Words{{"vti", "png", "png16", "exr"}, &s.formats});
     v.value(

@@ -44,13 +44,24 @@ void describe_phase(Visitor& v, Phase& p) {
             &p.slope);
 }
 
+void describe_reflected(Visitor& v, ReflectedSection& s) {
+    v.value({"height_m", "m", "Height above still water at which they end.", positive, true}, &s.height_m);
+    v.value({"absorption_per_m", "1/m", "Absorption coefficient of the air.", not_negative}, &s.absorption_per_m);
+    v.value({"scattering_per_m", "1/m",
+             "Scattering coefficient of the air; the default is that of a visual range of "
+             "some 40 km.",
+             not_negative},
+            &s.scattering_per_m);
+    v.section({"phase", "", "Where the air scatters light to."}, [&s](Visitor& in) { describe_phase(in, s.phase); });
+}
+
 }  // namespace
 
 void describe_optics(Visitor& v, WaterOptics& o) {
     v.value(
         {"type", "",
-         "Water whose measured absorption, scattering and phase function (Petzold 1972, Mobley 1994) hold where the "
-         "keys below do not say otherwise."},
+         "Water whose absorption, scattering and phase function, measured at 514 nm (Petzold 1972, Mobley 1994), hold "
+         "where the keys below do not say otherwise."},
         water_type(o));
     v.value({"absorption_per_m", "1/m", "Absorption coefficient a.", not_negative}, &o.absorption_per_m);
     v.value({"scattering_per_m", "1/m", "Scattering coefficient b; the floor sees unscattered light.", not_negative},
@@ -74,12 +85,19 @@ void describe_beams(Visitor& v, BeamsSection& s) {
              false,
              "one grid"},
             &s.refine_below);
+    v.optional_section({"reflected", "", "Beams of reflected light above the water; a camera above it sees these."},
+                       into(s.reflected, describe_reflected));
 }
 
 void describe_camera(Visitor& v, CameraSection& s) {
-    v.value(
-        {"position_m", "m", "Place of the camera, z up from still water: in the water, or beside a wall.", {}, true},
-        &s.camera.position_m);
+    v.value({"position_m",
+             "m",
+             "Place of the camera, z up from still water: in the water, or beside a wall, and above the ground; or in "
+             "the air over "
+             "it, with caustics.beams.reflected.",
+             {},
+             true},
+            &s.camera.position_m);
     v.value({"target_m", "m", "Place in the middle of the picture.", {}, true}, &s.camera.target_m);
     v.value({"fov_deg",
              "deg",

@@ -90,7 +90,8 @@ void describe_ground(Visitor& v, DomainSection& s) {
     v.value({"bathymetry",
              "",
              "File of the ground in place of the flat floor: .vti, .asc (ESRI ASCII grid), .xyz, .txt, .csv or .dat "
-             "(lines of x y z on a lattice); beside the scenario or below $WATERLIGHT_DATA; model shallow-water only.",
+             "(lines of x y z on a lattice); beside the scenario or below $WATERLIGHT_DATA; model shallow-water, or "
+             "prescribed for the beams of light alone.",
              {},
              false,
              "none"},
@@ -98,7 +99,7 @@ void describe_ground(Visitor& v, DomainSection& s) {
     v.section({"survey", "", "How the file of bathymetry is meant."},
               [&s](Visitor& in) { describe_survey(in, s.survey); });
     std::vector<GroundShape>& g = s.ground;
-    v.list({"ground", "", "A shape of the ground, laid on the floor or the file in turn; model shallow-water only."},
+    v.list({"ground", "", "A shape of the ground, laid on the floor or the file in turn; models as of bathymetry."},
            {{"plane", "A plane, everywhere.", append_shape<PlaneGround>(g, false, describe_plane)},
             {"bowl", "A paraboloid, everywhere.", append_shape<BowlGround>(g, false, describe_bowl)},
             {"cone", "A cone cut off at its crest: an island.", append_shape<ConeGround>(g, true, describe_cone)},

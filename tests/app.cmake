@@ -1,7 +1,7 @@
 find_package(nlohmann_json REQUIRED)
 
 # The program, from its parts to the shipped scenarios.
-waterlight_test(app_record_test SOURCES unit/app_record_test.cpp LIBRARIES waterlight_app)
+waterlight_test(app_record_test SOURCES unit/app_record_test.cpp unit/app_flashes_test.cpp LIBRARIES waterlight_app)
 
 waterlight_test(program_test
     SOURCES scenarios/bad_scenarios_test.cpp scenarios/outputs_test.cpp scenarios/shallow_outputs_test.cpp

@@ -40,3 +40,20 @@ KERNEL Refraction refract_sun(real3 s, real2 slope, real n, real fresnel) {
     r.transmittance = real(1) - fresnel * (real(1) - fresnel_transmittance(cos_i, cos_t, n));
     return r;
 }
+
+// The sun reflected by the surface, r = s + 2 cos_i N, in the same words with up for down: travel and path per metre of
+// rise, and in the place of the transmittance the reflectance. Path and travel are 0 where r rises by less than a
+// hundredth of its way: such light meets other water.
+KERNEL Refraction reflect_sun(real3 s, real2 slope, real n, real fresnel) {
+    Refraction r;
+    r.incident = incident_factor(s, slope);
+    real nz = real(1) / sqrt(real(1) + slope.x * slope.x + slope.y * slope.y);
+    real cos_i = r.incident * nz;
+    real cos_t = sqrt(max(real(0), real(1) - (real(1) - cos_i * cos_i) / (n * n)));
+    real along = real(2) * cos_i * nz;
+    real rise = s.z + along;
+    r.path = rise > real(0.01) ? real(1) / rise : real(0);
+    r.travel = real2((s.x - along * slope.x) * r.path, (s.y - along * slope.y) * r.path);
+    r.transmittance = fresnel * (real(1) - fresnel_transmittance(cos_i, cos_t, n));
+    return r;
+}

@@ -197,6 +197,35 @@ TEST(WaterTypes, ScatterBackWhatWasMeasured) {
     }
 }
 
+TEST(WaterTypes, FournierForandSendsBackWhatTheOceanOpticsWebBookTabulates) {
+    // Its page "The Fournier-Forand Phase Function", table 1: index, slope, backscattered part; digits as printed
+    // there.
+    struct Row {
+        double index, slope, back, tolerance;
+    };
+    for (const Row& row : {Row{1.021, 3.0742, .0001, .1},
+                           {1.040, 3.2010, .001, .05},
+                           {1.08, 3.483, .01, .02},
+                           {1.175, 4.065, .1, .02},
+                           {1.15, 4.874, .4, .02}}) {
+        const auto phase = [&](double s) { return f64::fournier_forand(row.index, row.slope, s); };
+        EXPECT_NEAR(over_sphere(phase, 0.5, 1) / row.back, 1, row.tolerance) << row.index;
+    }
+}
+
+TEST(WaterTypes, PureSeaWaterIsThatOfSmithAndBakerAt514Nanometres) {
+    const WaterType& pure = water_types[0];
+    EXPECT_NEAR(pure.absorption_per_m, .0357 + .4 * (.0477 - .0357), 5e-5);
+    EXPECT_NEAR(pure.scattering_per_m, .0026 + .4 * (.0024 - .0026), 5e-5);
+}
+
+TEST(WaterTypes, ParticlesLieOnTheLineOfOceanicOnes) {
+    for (const WaterType& water : water_types) {
+        if (water.phase.type == Phase::Type::pure_water) continue;
+        EXPECT_NEAR(water.phase.index, 1.01 + .1542 * (water.phase.slope - 3), 1e-4) << water.name;
+    }
+}
+
 TEST(WaterTypes, TheTableOfAPhaseFunctionIsThatFunction) {
     for (const WaterType& water : water_types) {
         const PhaseTable table(water.phase);

@@ -54,7 +54,7 @@ TEST(BeamVolume, EverySliceCarriesTheTransmittedFluxLessItsAbsorption) {
             fill_volume(beams, {64, 48, 32}, volume);
             const double entered = beams.ledger.incident_w - beams.ledger.reflected_w;
             for (int k = 0; k < 32; ++k) {
-                const double expected = transmitted(wave, s, volume.z_m(k, 8));
+                const double expected = transmitted(wave, s, volume.z_m(k));
                 EXPECT_NEAR(mean(volume.plane(k)) / expected, 1, 1e-3) << elevation << " " << k;
                 const SliceLedger& l = volume.ledger[k];
                 EXPECT_NEAR(l.inside_w, 4 * mean(volume.plane(k)), 1e-6);
@@ -117,7 +117,7 @@ struct FrozenSine {
     double error(int k, int box) const {
         TruthSettings t;
         t.floor.plan = cover(grid, grid.nx, 1);
-        t.floor.depth_m = -volume.z_m(k, beams.depth_m);
+        t.floor.depth_m = -volume.z_m(k);
         t.floor.sun = {90, 0, 1};
         t.tolerance = 1e-4;
         const TruthMap truth = truth_map(t, as_truth(grid, periodic, wave));
@@ -174,15 +174,15 @@ TEST(BeamVolume, FrozenSineFocusesWhereTheTextbookSays) {
     int brightest = 0;
     for (int k = 0; k < slices; ++k)
         if (sine.volume.plane(k)[0] > sine.volume.plane(brightest)[0]) brightest = k;
-    EXPECT_NEAR(-sine.volume.z_m(brightest, depth), 2.523, cell);
+    EXPECT_NEAR(-sine.volume.z_m(brightest), 2.523, cell);
 }
 
 TEST(BeamVolume, SlicesBeforeTheFocusAgreeWithTheTruth) {
     const FrozenSine sine(128, 128, 2.4, 12);
     for (int k = 0; k < 12; ++k) {
         const double error = sine.error(k, 1);
-        RecordProperty("rmse_percent_depth_" + std::to_string(-sine.volume.z_m(k, 2.4)), std::to_string(100 * error));
-        EXPECT_LT(error, 0.01) << -sine.volume.z_m(k, 2.4);
+        RecordProperty("rmse_percent_depth_" + std::to_string(-sine.volume.z_m(k)), std::to_string(100 * error));
+        EXPECT_LT(error, 0.01) << -sine.volume.z_m(k);
     }
 }
 

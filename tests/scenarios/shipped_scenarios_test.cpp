@@ -94,7 +94,10 @@ const std::vector<Shipped> all{{"pool", "2.0"},
                                {"shafts", "1.0"},
                                {"pool_side", "2.0"},
                                {"open_sea_below", "2.0"},
-                               {"harbour", "1.0"}};
+                               {"harbour", "1.0"},
+                               {"reef", "1.0"},
+                               {"flashes", "2.0"},
+                               {"mirror", "1.0"}};
 
 class ShippedScenario : public ::testing::TestWithParam<Shipped> {
   protected:

@@ -72,7 +72,41 @@ TEST(ScenarioBeams, WhatDoesNotGoTogetherIsRejected) {
            "without caustics.beams.volume_cells");
     expect("[[check]]\nquantity = \"beams.ledger_closure\"\nbelow = 1\n", "check[0].quantity",
            "without [caustics.beams]");
+    expect(beams +
+               "[[probe]]\nname = \"a\"\nat_m = [1, 1]\n[[check]]\nquantity = \"probe.a.scalar_irradiance\"\n"
+               "below = 1\n",
+           "check[0].quantity", "without depth_m of that probe");
+    expect(beams + "[[probe]]\nname = \"a\"\nat_m = [1, 1]\n[[check]]\nquantity = \"probe.a.flash_rate\"\nbelow = 1\n",
+           "check[0].quantity", "without [caustics.floor]");
     expect("[water]\ntype = \"milk\"\n", "water.type", "one of none, pure, clear-ocean, coastal, harbour");
+}
+
+TEST(ScenarioBeams, GroundIsForThemWherePrescribedWavesDoNotFeelIt) {
+    const std::string rock = "[[domain.ground]]\ntype = \"cone\"\nat_m = [1, 1]\ntoe_radius_m = 1.0\nheight_m = 1.0\n";
+    const std::string tilted = "[waves]\nmodel = \"prescribed\"\nduration_s = 1.0\n";
+    EXPECT_EQ(parse(least + rock + tilted + beams).domain.ground.size(), 1U);
+    const std::string message = rejection(least + rock + tilted);
+    EXPECT_NE(message.find("without [caustics.beams]"), std::string::npos) << message;
+    // How deep the ground is shows when its file is read.
+    const std::string deep = "[camera]\nposition_m = [1, 2, -2.5]\ntarget_m = [4, 3, -1]\n";
+    EXPECT_EQ(parse(least + rock + tilted + beams + deep).camera->camera.position_m.z, -2.5);
+}
+
+TEST(ScenarioBeams, ACameraInTheAirSeesReflectedLight) {
+    const std::string above = "[camera]\nposition_m = [1, 2, 0.5]\ntarget_m = [4, 3, 0]\n";
+    const std::string reflected = "[caustics.beams.reflected]\nheight_m = 3.0\nscattering_per_m = 0.01\n";
+    const Scenario s = parse(least + reflected + above);
+    const BeamImageSettings image = beam_image_settings(s);
+    EXPECT_EQ(image.camera.position_m, glm::dvec3(1, 2, -.5));
+    EXPECT_TRUE(image.camera.mirrored);
+    EXPECT_EQ(image.optics.scattering_per_m, .01);
+    EXPECT_EQ(reflected_settings(s).depth_m, 3);
+    EXPECT_NE(rejection(least + beams + above).find("or caustics.beams.reflected beside it"), std::string::npos);
+    const std::string high = "[camera]\nposition_m = [1, 2, 3.5]\ntarget_m = [4, 3, 0]\n";
+    EXPECT_NE(rejection(least + reflected + high).find("below caustics.beams.reflected.height_m = 3"),
+              std::string::npos);
+    const std::string refined = "[caustics.beams]\nrefine_below = 0.5\n" + reflected + above;
+    EXPECT_NE(rejection(least + refined).find("caustics.beams.refine_below"), std::string::npos);
 }
 
 TEST(ScenarioBeams, FieldsThatDoNotFitTheMachineAreRejected) {
