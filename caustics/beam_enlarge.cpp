@@ -15,7 +15,7 @@ namespace {
 
 /// Way of a camera's rays through the water, m, by pixel.
 Field<float> ways(const Camera& camera, const WaterBox& box) {
-    const ViewRays rays(camera.rays());
+    const ViewRays rays(Viewpoint(camera).rays);
     Field<float> way(camera.size.x, camera.size.y);
 #pragma omp parallel for schedule(static)
     for (int j = 0; j < camera.size.y; ++j) {
@@ -67,7 +67,7 @@ Camera reduced(const Camera& camera, int reduction) {
 }
 
 void enlarge(const BeamImageSettings& settings, const Beams& beams, const Field<float>& coarse, Field<float>& picture) {
-    const WaterBox box(beams, settings.camera.position_m);
+    const WaterBox box(beams, Viewpoint(settings.camera).eye_m);
     const Field<float> own = ways(settings.camera, box),
                        of_coarse = ways(reduced(settings.camera, settings.reduction), box);
     const std::vector<Place> column = places(picture.nx(), coarse.nx(), settings.reduction);

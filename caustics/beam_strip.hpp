@@ -28,8 +28,9 @@ class BeamStrip {
   private:
     const BeamImageSettings& settings_;
     const Beams& beams_;
-    Camera::Rays rays_;
+    Viewpoint view_;
     ViewRays view_rays_;
+    bool uneven_;  ///< beams end on ground of their own
     int first_column_ = 0;
     Field<float> length_, per_length_, near_, far_, sum_;  ///< a row for each column of the strip
 };
