@@ -4,7 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include "caustics/beam_enlarge.hpp"
 #include "caustics/beam_outline.hpp"
 #include "caustics/beam_picture.hpp"
 #include "caustics/beam_strip.hpp"
@@ -20,34 +19,21 @@ struct ShownCell {
     int last_column = 0;
 };
 
-/// Whether the box of a cell's beams comes within range of the camera.
-bool in_range(const std::array<glm::vec3, 8>& corners, float range) {
-    glm::vec3 low = corners[0], high = corners[0];
-    for (const glm::vec3& p : corners) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-    }
-    const glm::vec3 nearest = glm::clamp(glm::vec3{0, 0, 0}, low, high);
-    return glm::dot(nearest, nearest) <= range * range;
-}
-
 std::vector<ShownCell> shown_in_row(const BeamImageSettings& s, const Beams& beams,
                                     const std::vector<glm::vec2>& shifts, int j) {
     const Viewpoint view(s.camera);
-    const float width = static_cast<float>(s.camera.size.x), height = static_cast<float>(s.camera.size.y);
+    const float last_column = static_cast<float>(s.camera.size.x - 1);
     std::vector<ShownCell> shown;
     for (const glm::vec2 shift : shifts) {
         for (int i = 0; i < beams.nx; ++i) {
             if (!(beams.flux(2 * i, j) + beams.flux(2 * i + 1, j) > 0)) continue;
             const CellCopy copy{i, j, shift};
             const std::array<glm::vec3, 8> corners = beam_corners(beams, copy, view.eye_m);
-            if (!in_range(corners, static_cast<float>(s.range_m))) continue;
+            if (!in_range(corners, s.range_m)) continue;
             const BeamOutline outline(view.rays, corners);
-            if (outline.empty() || outline.right() < 0 || outline.left() > width - 1 || outline.top() < 0 ||
-                outline.bottom() > height - 1)
-                continue;
+            if (!in_frame(outline, s.camera.size)) continue;
             const int first = static_cast<int>(std::ceil(std::max(outline.left(), 0.0F)));
-            const int last = static_cast<int>(std::floor(std::min(outline.right(), width - 1)));
+            const int last = static_cast<int>(std::floor(std::min(outline.right(), last_column)));
             if (first <= last) shown.push_back({copy, first, last});
         }
     }
@@ -55,7 +41,7 @@ std::vector<ShownCell> shown_in_row(const BeamImageSettings& s, const Beams& bea
 }
 
 std::vector<ShownCell> shown_cells(const BeamImageSettings& s, const Beams& beams) {
-    const std::vector<glm::vec2> shifts = copies_in_range(s, beams);
+    const std::vector<glm::vec2> shifts = copies_in_sight(s, beams);
     std::vector<std::vector<ShownCell>> rows(beams.ny);
 #pragma omp parallel for schedule(dynamic, 4)
     for (int j = 0; j < beams.ny; ++j) rows[j] = shown_in_row(s, beams, shifts, j);
@@ -79,10 +65,11 @@ void draw(const BeamImageSettings& s, const Beams& beams, const PhaseFunction& p
     const int strips = (size.x + BeamStrip::columns - 1) / BeamStrip::columns;
     const std::vector<ShownCell> shown = shown_cells(s, beams);
     const std::vector<std::vector<CellCopy>> in_strip = sort_into_strips(shown, strips);
+    const Field<float> reach = ground_reach(s);
     std::int64_t sections = 0, covered = 0;
 #pragma omp parallel reduction(+ : sections, covered)
     {
-        BeamStrip strip(s, beams);
+        BeamStrip strip(s, beams, reach);
 #pragma omp for schedule(dynamic, 1)
         for (int k = 0; k < strips; ++k) {
             strip.begin(k * BeamStrip::columns);
@@ -106,14 +93,8 @@ void draw(const BeamImageSettings& settings, const Beams& beams, BeamImage& imag
 
 void draw_beams(const BeamImageSettings& settings, const Beams& beams, BeamImage& image) {
     validate(settings, beams);
-    if (settings.reduction == 1) return draw(settings, beams, image);
-    BeamImageSettings fewer = settings;
-    fewer.camera = reduced(settings.camera, settings.reduction);
-    BeamImage coarse;
-    draw(fewer, beams, coarse);
-    image.counts = coarse.counts;
-    resize(settings, image);
-    enlarge(settings, beams, coarse.radiance, image.radiance);
+    draw_reduced(
+        settings, beams, [&](const BeamImageSettings& all, BeamImage& out) { draw(all, beams, out); }, image);
 }
 
 }  // namespace waterlight

@@ -17,8 +17,13 @@ int padded(int rows) { return (rows + 2 * lanes - 1) / lanes * lanes; }
 
 }  // namespace
 
-BeamStrip::BeamStrip(const BeamImageSettings& settings, const Beams& beams)
-    : settings_(settings), beams_(beams), view_(settings.camera), view_rays_(view_.rays), uneven_(!ends_level(beams)) {
+BeamStrip::BeamStrip(const BeamImageSettings& settings, const Beams& beams, const Field<float>& reach)
+    : settings_(settings),
+      beams_(beams),
+      reach_(reach),
+      view_(settings.camera),
+      view_rays_(view_.rays),
+      uneven_(!ends_level(beams)) {
     const int rows = padded(settings.camera.size.y);
     for (Field<float>* f : {&length_, &per_length_, &near_, &far_, &sum_}) *f = Field<float>(rows, columns);
 }
@@ -44,6 +49,8 @@ void BeamStrip::begin(int first_column) {
             near[i] = span.near;
             far[i] = f32::min(span.far, range * per_length[i]);
         }
+        if (reach_.empty() || first_column_ + k >= reach_.nx()) continue;
+        for (int i = 0; i < reach_.ny(); ++i) far[i] = f32::min(far[i], reach_(first_column_ + k, i));
     }
 }
 

@@ -156,7 +156,7 @@ class SliceFiller {
 
 }  // namespace
 
-void fill_volume(const Beams& beams, glm::ivec3 cells, BeamVolume& volume) {
+void fit(const Beams&, glm::ivec3 cells, BeamVolume& volume) {
     if (cells.x < 1 || cells.y < 1 || cells.z < 1)
         throw InputError(
             fmt::format("beams: the volume has {} x {} x {} cells; at least 1 each", cells.x, cells.y, cells.z));
@@ -166,6 +166,10 @@ void fill_volume(const Beams& beams, glm::ivec3 cells, BeamVolume& volume) {
         volume.scalar_irradiance = Field<float>(cells.x, cells.y * cells.z);
     }
     volume.ledger.assign(cells.z, {});
+}
+
+void fill_volume(const Beams& beams, glm::ivec3 cells, BeamVolume& volume) {
+    fit(beams, cells, volume);
 #pragma omp parallel
     {
         SliceFiller filler(beams, cells);

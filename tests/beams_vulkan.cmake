@@ -1,0 +1,4 @@
+# Light in the water on a Vulkan device against that on the CPU.
+waterlight_test(beam_backends_test
+    SOURCES laws/beam_backends_test.cpp
+    LIBRARIES waterlight::caustics_vulkan)
