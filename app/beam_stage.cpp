@@ -8,21 +8,23 @@
 
 namespace waterlight {
 
-BeamStage::BeamStage(const Scenario& scenario) : scenario_(scenario) {
+BeamStage::BeamStage(const Scenario& scenario, std::unique_ptr<BeamRenderer> renderer)
+    : scenario_(scenario), renderer_(std::move(renderer)) {
+    record_.backend = renderer_->backend();
     if (scenario.beams->volume_cells) moments_.resize(static_cast<std::size_t>(scenario.beams->volume_cells->z));
 }
 
 void BeamStage::compute(const Surface& surface) {
     make_beams(beam_settings(scenario_), surface, beams_);
-    if (scenario_.beams->volume_cells) fill_volume(beams_, *scenario_.beams->volume_cells, volume_);
+    if (scenario_.beams->volume_cells) renderer_->fill(beams_, *scenario_.beams->volume_cells, volume_);
     if (scenario_.camera) draw(surface);
 }
 
 void BeamStage::draw(const Surface& surface) {
     const BeamImageSettings settings = beam_image_settings(scenario_);
-    if (!scenario_.beams->refine_below) return draw_beams(settings, beams_, image_);
+    if (!scenario_.beams->refine_below) return renderer_->draw(settings, beams_, image_);
     make_refined_beams(beam_settings(scenario_), *scenario_.beams->refine_below, surface, refined_);
-    draw_beams(settings, refined_, image_);
+    draw_beams(*renderer_, settings, refined_, image_);
 }
 
 void BeamStage::add_frame() {

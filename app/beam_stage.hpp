@@ -1,10 +1,11 @@
 // The part of a run that lights the water: beams, fields, pictures.
 #pragma once
 
+#include <memory>
+#include <string>
 #include <vector>
 
-#include "caustics/beam_refine.hpp"
-#include "caustics/beam_volume.hpp"
+#include "caustics/beam_renderer.hpp"
 #include "scenarios/scenario.hpp"
 
 namespace waterlight {
@@ -20,6 +21,7 @@ struct SliceStatistics {
 
 /// The light in the water over the run.
 struct BeamRecord {
+    std::string backend;  ///< of pictures and fields
     BeamLedger last_ledger, sum;
     double closure = 0;             ///< largest
     double discarded_fraction = 0;  ///< largest
@@ -33,10 +35,10 @@ struct BeamRecord {
     BeamImageCounts counts;
 };
 
-/// Computes on the CPU. The scenario has beams and outlives the stage.
+/// Makes the beams on the CPU; the renderer draws them and fills fields. The scenario has beams and outlives the stage.
 class BeamStage {
   public:
-    explicit BeamStage(const Scenario& scenario);
+    BeamStage(const Scenario& scenario, std::unique_ptr<BeamRenderer> renderer);
 
     /// Throws InputError where a setting does not go with the surface.
     void compute(const Surface& surface);
@@ -59,6 +61,7 @@ class BeamStage {
     void add_slice(int k);
 
     const Scenario& scenario_;
+    std::unique_ptr<BeamRenderer> renderer_;
     Beams beams_;
     RefinedBeams refined_;
     BeamVolume volume_;

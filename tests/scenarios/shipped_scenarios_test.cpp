@@ -68,7 +68,7 @@ bool has_camera(const Shipped& shipped) { return read_scenario(path_of(shipped))
 /// Whether there is something that Vulkan computes.
 bool has_vulkan_part(const Shipped& shipped) {
     const Scenario scenario = read_scenario(path_of(shipped));
-    return scenario.floor || has_vulkan_model(scenario);
+    return scenario.floor || scenario.beams || has_vulkan_model(scenario);
 }
 
 bool has_vulkan() { return gpu::survey().chosen.has_value(); }
