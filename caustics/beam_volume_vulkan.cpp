@@ -66,13 +66,13 @@ struct BeamVolumeVulkan::Impl {
     std::shared_ptr<gpu::Context> context;
     gpu::Pass share;
     BeamBuffers beams;
-    Storage sums, ledger;
+    Storage sums;
     gpu::Commands commands;
     std::vector<StageTime> times;
 
     explicit Impl(std::shared_ptr<gpu::Context> owner)
         : context(std::move(owner)),
-          share(context, {"fields", shaders::beam_fields, 4, sizeof(BeamFieldParameters), workgroup}),
+          share(context, {"fields", shaders::beam_fields, 3, sizeof(BeamFieldParameters), workgroup}),
           commands(context, 1) {}
 
     void fill(const Beams& b, glm::ivec3 cells, BeamVolume& volume) {
@@ -83,8 +83,7 @@ struct BeamVolumeVulkan::Impl {
         BeamFieldParameters push = parameters(b, cells, flux_w / whole_flux);
         const std::size_t slice_bytes = sizeof(CellSums) * static_cast<std::size_t>(cells.x) * cells.y;
         const int band = static_cast<int>(std::clamp<std::size_t>(band_bytes / slice_bytes, 1, cells.z));
-        reserve(context, sums, slice_bytes * band, BufferUse::to_host);
-        reserve(context, ledger, sizeof(RowLedger) * static_cast<std::size_t>(band) * b.ny, BufferUse::to_host);
+        reserve(context, sums, (slice_bytes + sizeof(RowLedger) * b.ny) * band, BufferUse::to_host);
         for (push.first_slice = 0; push.first_slice < cells.z; push.first_slice += band) {
             push.slice_count = std::min(band, cells.z - push.first_slice);
             run(b, push);
@@ -99,14 +98,12 @@ struct BeamVolumeVulkan::Impl {
 
     void run(const Beams& b, const BeamFieldParameters& push) {
         beams.write(context, b, commands);
-        share.bind({&*beams.corners, &*beams.flux, &*sums, &*ledger});
+        share.bind({&*beams.corners, &*beams.flux, &*sums});
         commands.clear(*sums);
-        commands.clear(*ledger);
         const auto groups = (static_cast<std::uint32_t>(push.slice_count) + slices_each - 1) / slices_each;
         commands.dispatch(share, {2 * static_cast<std::uint32_t>(b.nx), static_cast<std::uint32_t>(b.ny), groups},
                           push);
         commands.download(*sums);
-        commands.download(*ledger);
         commands.run();
         for (const gpu::Timing& t : commands.timings()) times.front().seconds += t.seconds;
     }
@@ -115,7 +112,7 @@ struct BeamVolumeVulkan::Impl {
         const std::size_t size = static_cast<std::size_t>(push.columns) * push.rows;
         const double per_area = quantum_w * static_cast<double>(size) / (b.domain.width_m() * b.domain.height_m());
         const CellSums* all = sums->host<CellSums>().data();
-        const RowLedger* rows = ledger->host<RowLedger>().data();
+        const auto* rows = reinterpret_cast<const RowLedger*>(all + push.slice_count * size);
 #pragma omp parallel for schedule(static)
         for (int k = 0; k < push.slice_count; ++k) {
             const std::size_t slice = push.first_slice + k;

@@ -16,10 +16,9 @@ layout(push_constant) uniform Push { BeamFieldParameters p; };
 // x, y, z, travel_x, travel_y, path and end_z of all corners, one after another.
 layout(std430, binding = 0) readonly buffer Corners { float corners[]; };
 layout(std430, binding = 1) readonly buffer Flux { float flux[]; };
-// Of each cell: flux through the horizontal, low half and high, and through planes that face the light.
+// Of each cell: flux through the horizontal, low half and high, and through planes that face the light. After those, of
+// each slice and row of beams: flux, and what of it left through the sides.
 layout(std430, binding = 2) buffer Sums { uint sums[]; };
-// Of each slice and row of beams: flux, and what of it left through the sides.
-layout(std430, binding = 3) buffer Ledger { uint ledger[]; };
 
 const int slices_each = 8;
 const int most_corners = 5;  // of a triangle cut twice
@@ -104,51 +103,61 @@ float share_of_triangle() {
 float cut_section(float z) {
     const vec2 parts[3] = vec2[](vec2(0, 0), vec2(1, 0), vec2(0, 1));
     float remaining = 0;
-    bool whole = true;
+    bool all = true;
     for (int k = 0; k < 3; ++k) {
         float descent = max(0, at[k].z - z);
         polygon[k] = Corner2(at[k].place + descent * at[k].travel, parts[k], vec2(at[k].z - z, z - at[k].end_z));
         remaining += beer_lambert(p.extinction, descent * at[k].path) / 3;
-        whole = whole && polygon[k].level.x >= 0 && polygon[k].level.y >= 0;
+        all = all && polygon[k].level.x >= 0 && polygon[k].level.y >= 0;
     }
     count = 3;
-    if (whole) return remaining;
+    if (all) return remaining;
     keep_positive(0);
     keep_positive(1);
     return count < 3 ? 0 : remaining * share_of_triangle();
 }
 
-void add_to_sum(int k, float quanta) {
-    float high = floor(quanta * 2.3283064365386963e-10);
-    uint low = uint(quanta - high * 4294967296.0);
-    uint before = atomicAdd(sums[k], low);
-    uint over = uint(high) + (before + low < before ? 1 : 0);
-    if (over > 0) atomicAdd(sums[k + 1], over);
+// A number of 64 bits, low half first.
+uvec2 whole(float quanta) {
+    float high = floor(quanta * 2.3283064365386963e-10);  // 2^-32
+    return uvec2(uint(quanta - high * 4294967296.0), uint(high));
 }
 
-void add_to_ledger(int k, float quanta) {
-    float high = floor(quanta * 2.3283064365386963e-10);
-    uint low = uint(quanta - high * 4294967296.0);
-    uint before = atomicAdd(ledger[k], low);
-    uint over = uint(high) + (before + low < before ? 1 : 0);
-    if (over > 0) atomicAdd(ledger[k + 1], over);
+uvec2 plus(uvec2 a, uvec2 b) {
+    uint carry;
+    uint low = uaddCarry(a.x, b.x, carry);
+    return uvec2(low, a.y + b.y + carry);
+}
+
+uvec2 minus(uvec2 a, uvec2 b) {
+    uint borrow;
+    uint low = usubBorrow(a.x, b.x, borrow);
+    return uvec2(low, a.y - b.y - borrow);
+}
+
+uvec2 lesser(uvec2 a, uvec2 b) { return a.y < b.y || (a.y == b.y && a.x < b.x) ? a : b; }
+
+void add_to_sum(int k, uvec2 n) {
+    uint before = atomicAdd(sums[k], n.x);
+    uint high = n.y + (before + n.x < before ? 1 : 0);
+    if (high > 0) atomicAdd(sums[k + 1], high);
 }
 
 int wrapped(int i, int n) { return i - n * int(floor(float(i) / float(n))); }
 
 // Adds light to a cell of the slice; returns what is beyond a side.
-float put(ivec2 cell, int slice, float quanta, float path) {
+uvec2 put(ivec2 cell, int slice, uvec2 quanta, float facing) {
     if (p.periodic_x == 1) cell.x = wrapped(cell.x, p.columns);
     if (p.periodic_y == 1) cell.y = wrapped(cell.y, p.rows);
     if (cell.x < 0 || cell.x >= p.columns || cell.y < 0 || cell.y >= p.rows) return quanta;
     int k = 4 * ((slice * p.rows + cell.y) * p.columns + cell.x);
     add_to_sum(k, quanta);
-    add_to_sum(k + 2, quanta * path);
-    return 0;
+    add_to_sum(k + 2, whole(facing));
+    return uvec2(0);
 }
 
-// Shares the section's light among the cells that it overlaps; returns what is beyond the sides.
-float share(int slice, float quanta, float path) {
+// Shares the section's light among the cells that it overlaps, to the last quantum; returns what is beyond the sides.
+uvec2 share(int slice, float quanta, float path) {
     vec2 low = polygon[0].place, high = low, sum = low;
     for (int k = 1; k < count; ++k) {
         low = min(low, polygon[k].place);
@@ -156,25 +165,24 @@ float share(int slice, float quanta, float path) {
         sum += polygon[k].place;
     }
     ivec2 first = ivec2(floor(low)), last = ivec2(floor(high));
-    if (first == last) return put(first, slice, quanta, path);
-    float area = 0.5 * twice_area();
-    float left = 1, outside = 0;
+    uvec2 left = whole(quanta), outside = uvec2(0);
+    if (first == last) return put(first, slice, left, quanta * path);
+    float area = 0.5 * twice_area(), part_left = 1;
     // Thinner than that, shares would be rounding: all goes to the cell of its middle.
-    if (abs(area) > 1e-6) {
-        for (int j = first.y; j <= last.y; ++j)
-            for (int i = first.x; i <= last.x; ++i) {
-                float covered = 0;
-                for (int k = 0; k < count; ++k)
-                    covered -= area_right_of(polygon[k].place - vec2(i, j),
-                                             polygon[k + 1 == count ? 0 : k + 1].place - vec2(i, j));
-                float part = min(covered / area, left);
-                if (part <= 0) continue;
-                left -= part;
-                outside += put(ivec2(i, j), slice, part * quanta, path);
-            }
-    }
-    if (left > 0) outside += put(ivec2(floor(sum / count)), slice, left * quanta, path);
-    return outside;
+    for (int j = first.y; j <= last.y && abs(area) > 1e-6; ++j)
+        for (int i = first.x; i <= last.x; ++i) {
+            float covered = 0;
+            for (int k = 0; k < count; ++k)
+                covered -= area_right_of(polygon[k].place - vec2(i, j),
+                                         polygon[k + 1 == count ? 0 : k + 1].place - vec2(i, j));
+            float part = min(covered / area, part_left);
+            if (part <= 0) continue;
+            part_left -= part;
+            uvec2 taken = lesser(whole(part * quanta), left);
+            left = minus(left, taken);
+            outside = plus(outside, put(ivec2(i, j), slice, taken, part * quanta * path));
+        }
+    return plus(outside, put(ivec2(floor(sum / count)), slice, left, part_left * quanta * path));
 }
 
 void main() {
@@ -185,13 +193,14 @@ void main() {
     if (!(entering > 0)) return;
     read_beam(b, j);
     float path = (at[0].path + at[1].path + at[2].path) / 3;
+    int ledger = 4 * p.columns * p.rows * p.slice_count;
     for (int slice = first; slice < min(first + slices_each, p.slice_count); ++slice) {
         float z = ((p.first_slice + slice + 0.5) / p.slices - 1) * p.depth;
         float quanta = entering * p.per_quantum * cut_section(z);
         if (!(quanta > 0)) continue;
-        int k = 4 * (slice * p.ny + j);
-        add_to_ledger(k, quanta);
-        float outside = share(slice, quanta, path);
-        if (outside > 0) add_to_ledger(k + 2, outside);
+        int k = ledger + 4 * (slice * p.ny + j);
+        add_to_sum(k, whole(quanta));
+        uvec2 outside = share(slice, quanta, path);
+        if (outside != uvec2(0)) add_to_sum(k + 2, outside);
     }
 }
