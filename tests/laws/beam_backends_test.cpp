@@ -10,6 +10,7 @@
 #include "caustics/beam_renderer_vulkan.hpp"
 #include "sim/error.hpp"
 #include "tests/support/gpu_fixture.hpp"
+#include "tests/support/sloping_pool.hpp"
 #include "tests/support/surfaces.hpp"
 
 namespace waterlight {
@@ -202,6 +203,27 @@ TEST_F(BeamBackends, GiveTheSameFrameAfterFrame) {
         fill_volume(beams, {12, 14, 9}, cpu_fields);
         renderer->fill(beams, {12, 14, 9}, vulkan_fields);
         expect_same(vulkan_fields, cpu_fields);
+    }
+}
+
+TEST_F(BeamBackends, GiveTheSameOnUnevenGround) {
+    const auto renderer = make_beam_renderer_vulkan(context);
+    const SlopingPool slope{{.2, .1}, -1.9};
+    for (const bool rays_too : {false, true}) {
+        for (const int samples : {1, 3}) {
+            Scene s;
+            s.image.optics = s.beams.optics;
+            s.image.samples = samples;
+            if (rays_too) s.image.ground = slope.ground();
+            if (rays_too) s.image.camera = {{.4, .7, -1.1}, {2.5, 2, -1.3}, 70, {150, 130}};
+            Beams beams;
+            make_beams(s.beams, s.surface(), beams);
+            slope.end(beams);
+            BeamImage cpu, vulkan;
+            draw_beams(s.image, beams, cpu);
+            renderer->draw(s.image, beams, vulkan);
+            EXPECT_LT(relative_rmse(vulkan.radiance, cpu.radiance), 2e-4);
+        }
     }
 }
 

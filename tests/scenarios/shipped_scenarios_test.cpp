@@ -92,8 +92,8 @@ const std::vector<Shipped> all{{"pool", "2.0"},
                                {"tidal_pool", "2.0", OnSoftware::opening},
                                {"surf_zone", "4.0", OnSoftware::opening},
                                {"shafts", "1.0"},
-                               {"pool_side", "2.0"},
-                               {"open_sea_below", "2.0"},
+                               {"pool_side", "2.0", OnSoftware::none},
+                               {"open_sea_below", "2.0", OnSoftware::none},
                                {"harbour", "1.0"}};
 
 class ShippedScenario : public ::testing::TestWithParam<Shipped> {
