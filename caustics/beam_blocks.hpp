@@ -61,11 +61,12 @@ int meet(const Section& s, const Rays& rays, const PhaseFunction& phase, Chords&
 #pragma GCC ivdep
     for (int l = 0; l < lanes; ++l) {
         const float row = static_cast<float>(l), descent = s.number(down, row), from = near[l], to = far[l];
+        const f32::CellCorners c =
+            f32::cell_corners(s.edge(0, row), s.edge(1, row), s.edge(2, row), s.edge(3, row),
+                              {s.number(speed_x, row), s.number(speed_y, row)}, descent, from, to);
         const PhaseFraction p = phase(s.number(towards, row) * per_length[l]);
-        const f32::CellChords both =
-            f32::cell_chords(s.edge(0, row), s.edge(1, row), s.edge(2, row), s.edge(3, row),
-                             {s.number(speed_x, row), s.number(speed_y, row)}, descent, from, to, p.denominator);
-        const f32::BeamChord &a = both.first, &b = both.second;
+        const f32::BeamChord a = f32::beam_chord(c.c0, c.c1, c.c2, p.denominator);
+        const f32::BeamChord b = f32::beam_chord(c.c0, c.c2, c.c3, p.denominator);
         float over = f32::max(f32::chord_excess(a, from, to, descent, lowest_lid),
                               f32::chord_excess(b, from, to, descent, lowest_lid));
         if (uneven)

@@ -148,6 +148,25 @@ KERNEL SectionCorner section_corner(EdgeNumbers e, real inverse_speed2, real dow
     return c;
 }
 
+// The corners of a cell's section, on its edges counted around it: beam 0 has corners 0, 1, 2, beam 1 has 0, 2, 3.
+struct CellCorners {
+    SectionCorner c0;
+    SectionCorner c1;
+    SectionCorner c2;
+    SectionCorner c3;
+};
+
+KERNEL CellCorners cell_corners(EdgeNumbers e0, EdgeNumbers e1, EdgeNumbers e2, EdgeNumbers e3, real2 v, real down,
+                                real near, real far) {
+    real inverse = real(1) / max(v.x * v.x + v.y * v.y, real(1e-12));
+    CellCorners c;
+    c.c0 = section_corner(e0, inverse, down, near, far);
+    c.c1 = section_corner(e1, inverse, down, near, far);
+    c.c2 = section_corner(e2, inverse, down, near, far);
+    c.c3 = section_corner(e3, inverse, down, near, far);
+    return c;
+}
+
 // The part of the ray inside the section's triangle, t from `begin` to `end`, and the length of that part over twice the
 // area, both in the plane of (t, across): `density`, which stays finite where the beam folds and the area is zero. One
 // corner is alone on its side of the ray; the ray crosses the two sides that meet there. Zero where it passes by.
@@ -187,25 +206,6 @@ KERNEL BeamChord beam_chord(SectionCorner c0, SectionCorner c1, SectionCorner c2
     chord.begin = min(a, b);
     chord.end = max(a, b);
     return chord;
-}
-
-// The chords of both beams of a cell, whose edges are counted around it: beam 0 has edges 0, 1, 2, beam 1 has 0, 2, 3.
-struct CellChords {
-    BeamChord first;
-    BeamChord second;
-};
-
-KERNEL CellChords cell_chords(EdgeNumbers e0, EdgeNumbers e1, EdgeNumbers e2, EdgeNumbers e3, real2 v, real down,
-                              real near, real far, real divisor) {
-    real inverse = real(1) / max(v.x * v.x + v.y * v.y, real(1e-12));
-    SectionCorner c0 = section_corner(e0, inverse, down, near, far);
-    SectionCorner c1 = section_corner(e1, inverse, down, near, far);
-    SectionCorner c2 = section_corner(e2, inverse, down, near, far);
-    SectionCorner c3 = section_corner(e3, inverse, down, near, far);
-    CellChords both;
-    both.first = beam_chord(c0, c1, c2, divisor);
-    both.second = beam_chord(c0, c2, c3, divisor);
-    return both;
 }
 
 // The chords of two beams that share a side as one; a chord of density 0 does not count.

@@ -51,20 +51,22 @@ BeamChord meet(Ray ray, WaterSpan span, bool cut_all) {
     } else {
         denominator = henyey_greenstein_inverse(p.mean_cosine, cosine);
     }
-    CellChords both = cell_chords(edge_numbers(edge[0].xy, edge[0].zw, v), edge_numbers(edge[1].xy, edge[1].zw, v),
-                                  edge_numbers(edge[2].xy, edge[2].zw, v), edge_numbers(edge[3].xy, edge[3].zw, v), v,
-                                  r.z, span.near, span.far, denominator);
-    float over = max(chord_excess(both.first, span.near, span.far, r.z, power.z),
-                     chord_excess(both.second, span.near, span.far, r.z, power.z));
+    CellCorners c = cell_corners(edge_numbers(edge[0].xy, edge[0].zw, v), edge_numbers(edge[1].xy, edge[1].zw, v),
+                                 edge_numbers(edge[2].xy, edge[2].zw, v), edge_numbers(edge[3].xy, edge[3].zw, v), v,
+                                 r.z, span.near, span.far);
+    BeamChord first = beam_chord(c.c0, c.c1, c.c2, denominator);
+    BeamChord second = beam_chord(c.c0, c.c2, c.c3, denominator);
+    float over = max(chord_excess(first, span.near, span.far, r.z, power.z),
+                     chord_excess(second, span.near, span.far, r.z, power.z));
     if (uneven)
-        over = max(over, max(chord_excess_below(both.first, r.z, power.w), chord_excess_below(both.second, r.z, power.w)));
-    both.first.density *= power.x * numerator;
-    both.second.density *= power.y * numerator;
+        over = max(over, max(chord_excess_below(first, r.z, power.w), chord_excess_below(second, r.z, power.w)));
+    first.density *= power.x * numerator;
+    second.density *= power.y * numerator;
     if (cut_all || over > 0) {
-        both.first = cut(both.first, 0, r, span);
-        both.second = cut(both.second, 1, r, span);
+        first = cut(first, 0, r, span);
+        second = cut(second, 1, r, span);
     }
-    return joined_chord(both.first, both.second);
+    return joined_chord(first, second);
 }
 
 float light(Ray ray, BeamChord chord) {
