@@ -8,6 +8,7 @@
 #include <string>
 
 #include "caustics/beam_renderer_vulkan.hpp"
+#include "caustics/kernels/optics.hpp"
 #include "sim/error.hpp"
 #include "tests/support/gpu_fixture.hpp"
 #include "tests/support/sloping_pool.hpp"
@@ -225,6 +226,35 @@ TEST_F(BeamBackends, GiveTheSameOnUnevenGround) {
             EXPECT_LT(relative_rmse(vulkan.radiance, cpu.radiance), 2e-4);
         }
     }
+}
+
+TEST_F(BeamBackends, FieldsEndOnTheGround) {
+    // Over a plane each beam's end is one too: light is even above it and nothing below.
+    const SlopingPool slope{{.2, .1}, -1.9};
+    Scene s;
+    s.waves = flat;
+    s.beams.sun = {90, 0, 1000};
+    Beams beams;
+    make_beams(s.beams, s.surface(), beams);
+    slope.end(beams);
+    BeamVolume volume;
+    make_beam_renderer_vulkan(context)->fill(beams, {30, 24, 16}, volume);
+    const f64::Refraction f = f64::refract_sun(s.beams.sun.direction(), {0, 0}, 4.0 / 3, 1);
+    int lit = 0, dark = 0;
+    for (int k = 0; k < 16; ++k) {
+        const double z = volume.z_m(k, 2), even = 1000 * f.incident * f.transmittance * std::exp(.15 * z);
+        for (int j = 0; j < 24; ++j)
+            for (int i = 0; i < 30; ++i) {
+                const float e = volume.plane(k)[static_cast<std::size_t>(j * 30 + i)];
+                const bool above = slope.height({(i + 1) * .1, (j + 1) * .125}) < z;
+                const bool below = slope.height({i * .1, j * .125}) > z;
+                if (!above && !below) continue;  // the ground passes through the cell
+                EXPECT_NEAR(e / even, above ? 1 : 0, 1e-4) << i << " " << j << " " << k;
+                ++(above ? lit : dark);
+            }
+    }
+    EXPECT_GT(lit, 1000);
+    EXPECT_GT(dark, 1000);
 }
 
 TEST_F(BeamBackends, RefuseSettingsOutOfRange) {
