@@ -35,8 +35,9 @@ void require_above(const BeamGround& ground, glm::dvec3 camera) {
 
 }  // namespace
 
-BeamStage::BeamStage(const Scenario& scenario, const BuiltModel& model)
-    : scenario_(scenario), ground_(ground_for(scenario, model)) {
+BeamStage::BeamStage(const Scenario& scenario, const BuiltModel& model, std::unique_ptr<BeamRenderer> renderer)
+    : scenario_(scenario), ground_(ground_for(scenario, model)), renderer_(std::move(renderer)) {
+    record_.backend = renderer_->backend();
     if (scenario.camera && !looks_from_air(scenario) && ground_)
         require_above(*ground_, scenario.camera->camera.position_m);
     if (scenario.beams->volume_cells) moments_.resize(static_cast<std::size_t>(scenario.beams->volume_cells->z));
@@ -48,21 +49,27 @@ BeamSettings BeamStage::settings() const {
     return settings;
 }
 
+PictureGround BeamStage::picture_ground() const {
+    return {[ground = ground_](glm::dvec2 at) { return ground->height_m(at); }, ground_->step_m(),
+            ground_->highest_m()};
+}
+
 void BeamStage::compute_beams(const Surface& surface) { make_beams(settings(), surface, beams_); }
 
 void BeamStage::compute(const Surface& surface) {
     compute_beams(surface);
     if (scenario_.beams->reflected) make_reflected_beams(reflected_settings(scenario_), surface, reflected_);
-    if (scenario_.beams->volume_cells) fill_volume(beams_, *scenario_.beams->volume_cells, volume_);
+    if (scenario_.beams->volume_cells) renderer_->fill(beams_, *scenario_.beams->volume_cells, volume_);
     if (scenario_.camera) draw(surface);
 }
 
 void BeamStage::draw(const Surface& surface) {
-    const BeamImageSettings picture = beam_image_settings(scenario_);
-    if (looks_from_air(scenario_)) return draw_beams(picture, reflected_, image_);
-    if (!scenario_.beams->refine_below) return draw_beams(picture, beams_, image_);
+    BeamImageSettings picture = beam_image_settings(scenario_);
+    if (looks_from_air(scenario_)) return renderer_->draw(picture, reflected_, image_);
+    if (ground_) picture.ground = picture_ground();
+    if (!scenario_.beams->refine_below) return renderer_->draw(picture, beams_, image_);
     make_refined_beams(settings(), *scenario_.beams->refine_below, surface, refined_);
-    draw_beams(picture, refined_, image_);
+    draw_beams(*renderer_, picture, refined_, image_);
 }
 
 void BeamStage::add_frame(double time_s) {

@@ -1,11 +1,13 @@
 // The part of a run that lights the water: beams, fields, pictures.
 #pragma once
 
+#include <memory>
+#include <string>
 #include <vector>
 
+#include "caustics/beam_ground.hpp"
 #include "caustics/beam_point.hpp"
-#include "caustics/beam_refine.hpp"
-#include "caustics/beam_volume.hpp"
+#include "caustics/beam_renderer.hpp"
 #include "scenarios/build.hpp"
 
 namespace waterlight {
@@ -23,6 +25,7 @@ struct SliceStatistics {
 
 /// The light in the water over the run.
 struct BeamRecord {
+    std::string backend;  ///< of pictures and fields
     BeamLedger last_ledger, sum;
     double closure = 0;                        ///< largest
     double discarded_fraction = 0;             ///< largest
@@ -38,11 +41,11 @@ struct BeamRecord {
     BeamImageCounts counts;
 };
 
-/// Computes on the CPU. The scenario has beams and outlives the stage.
+/// Makes the beams on the CPU; the renderer draws them and fills fields. The scenario has beams and outlives the stage.
 class BeamStage {
   public:
     /// The model gives the ground where it has one. Throws InputError where a file of the ground cannot be used.
-    BeamStage(const Scenario& scenario, const BuiltModel& model);
+    BeamStage(const Scenario& scenario, const BuiltModel& model, std::unique_ptr<BeamRenderer> renderer);
 
     /// Throws InputError where a setting does not go with the surface.
     void compute(const Surface& surface);
@@ -65,6 +68,7 @@ class BeamStage {
         double watched_s = 0;  ///< time between frames, summed over cells
     };
     BeamSettings settings() const;
+    PictureGround picture_ground() const;
     void draw(const Surface& surface);
     void add_volume(double time_s);
     void add_slice(int k, double since_s);
@@ -72,6 +76,7 @@ class BeamStage {
 
     const Scenario& scenario_;
     std::shared_ptr<const BeamGround> ground_;  ///< none: a flat floor
+    std::unique_ptr<BeamRenderer> renderer_;
     Beams beams_;
     Beams reflected_;
     RefinedBeams refined_;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "app/readings.hpp"
+#include "caustics/beam_renderer_vulkan.hpp"
 #include "caustics/floor_vulkan.hpp"
 #include "caustics/truth.hpp"
 #include "scenarios/resolve.hpp"
@@ -70,7 +71,9 @@ class TruthStage final : public FloorStage {
 };
 
 /// Whether there is something to compute on a Vulkan device.
-bool has_vulkan_part(const Scenario& scenario) { return scenario.floor || has_vulkan_model(scenario); }
+bool has_vulkan_part(const Scenario& scenario) {
+    return scenario.floor || scenario.beams || has_vulkan_model(scenario);
+}
 
 bool is_truth(const Scenario& scenario) { return scenario.floor && scenario.floor->method == FloorMethod::truth; }
 
@@ -123,6 +126,10 @@ std::unique_ptr<FloorStage> make_floor_stage(const Scenario& scenario, const Bui
     if (decision.backend == Backend::vulkan)
         return std::make_unique<TwoPassStage>(settings.plan, make_floor_vulkan(settings, decision.context));
     return std::make_unique<TwoPassStage>(settings.plan, make_floor_cpu(settings));
+}
+
+std::unique_ptr<BeamRenderer> make_beam_renderer(const BackendDecision& decision) {
+    return decision.backend == Backend::vulkan ? make_beam_renderer_vulkan(decision.context) : make_beam_renderer_cpu();
 }
 
 }  // namespace waterlight

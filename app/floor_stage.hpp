@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "caustics/beam_renderer.hpp"
 #include "caustics/floor.hpp"
 #include "gpu/context.hpp"
 #include "scenarios/build.hpp"
@@ -28,9 +29,9 @@ struct BackendDecision {
     std::shared_ptr<gpu::Context> context;  ///< where it is vulkan
 };
 
-/// Of the floor map and of the shallow-water model. automatic takes vulkan where one of them is there and a GPU is too,
-/// or a device is named, else cpu: a CPU that plays a GPU is slower than the CPU itself. Throws InputError where the
-/// wish contradicts itself or the scenario, gpu::Error where there is no device.
+/// Of the floor map, light in the water and the shallow-water model. automatic takes vulkan where one of them is there
+/// and a GPU is too, or a device is named, else cpu: a CPU that plays a GPU is slower than the CPU itself. Throws
+/// InputError where the wish contradicts itself or the scenario, gpu::Error where there is no device.
 BackendDecision choose_backend(const DeviceWish& wish, const Scenario& scenario);
 
 /// A floor mapper that can say how wrong it is.
@@ -48,6 +49,9 @@ class FloorStage {
 /// `model` must outlive the result: the truth of a formula is computed from the formula.
 std::unique_ptr<FloorStage> make_floor_stage(const Scenario& scenario, const BuiltModel& model,
                                              const BackendDecision& decision);
+
+/// Pictures and fields of light in the water.
+std::unique_ptr<BeamRenderer> make_beam_renderer(const BackendDecision& decision);
 
 /// The name of this machine's processor.
 std::string processor_name();

@@ -90,7 +90,7 @@ Json slices_json(const std::vector<SliceStatistics>& slices) {
 }
 
 Json beams_json(const BeamRecord& record, const Scenario& scenario, int frames) {
-    Json json{{"backend", "cpu"},
+    Json json{{"backend", record.backend},
               {"grid", {scenario.beams->grid.x, scenario.beams->grid.y}},
               {"ledger",
                {{"mean_over_frames", ledger_json(record.sum, scenario.optics, 1.0 / frames)},

@@ -101,7 +101,9 @@ class Run {
           waves_(for_section(scenario, "waves", [&] { return build_model(scenario, backend_.context); })),
           floor_(scenario.floor ? make_floor_stage(scenario, waves_, backend_) : nullptr),
           recorder_(scenario) {
-        if (scenario.beams) for_section(scenario, "caustics.beams", [&] { beams_.emplace(scenario, waves_); });
+        if (scenario.beams)
+            for_section(scenario, "caustics.beams",
+                        [&] { beams_.emplace(scenario, waves_, make_beam_renderer(backend_)); });
     }
 
     bool go() {

@@ -32,8 +32,8 @@ struct Chords {
 /// A cell's numbers that do not change over the picture.
 struct Constants {
     alignas(64) float per_row[cell_forms];
-    std::array<float, 2> lid_distance, power;
-    float lowest_lid, above, path, extinction;
+    std::array<float, 2> top_distance, ground_distance, power;
+    float lowest_lid, highest_end, above, path, extinction;
 };
 
 /// A cell's numbers at one block of rays.
@@ -49,35 +49,29 @@ struct Section {
     }
 };
 
-/// How far a chord reaches beyond the ray's part that is looked at or over the lowest corner on the surface.
-inline float excess(const f32::BeamChord& c, float from, float to, float descent, float lowest_lid) {
-    const float shallow = f32::min(descent * c.begin, descent * c.end);
-    return c.density * f32::max(f32::max(from - c.begin, c.end - to), lowest_lid - shallow);
-}
-
 /// Where the rays of a block meet the beams of a cell, and how much of their light they scatter there. Returns 1 where
-/// any chord is to be cut, else 0.
-template <class PhaseFunction>
+/// any chord is to be cut, else 0. `uneven`: the beams end on ground of their own.
+template <bool uneven, class PhaseFunction>
 int meet(const Section& s, const Rays& rays, const PhaseFunction& phase, Chords& chords) {
     const float* __restrict near = rays.near, * __restrict far = rays.far, * __restrict per_length = rays.per_length;
     Chords::OfBeam &beam0 = chords.beam[0], &beam1 = chords.beam[1];
     const float power0 = s.constant.power[0], power1 = s.constant.power[1];
+    const float lowest_lid = s.constant.lowest_lid, highest_end = s.constant.highest_end;
     int beyond = 0;
 #pragma GCC ivdep
     for (int l = 0; l < lanes; ++l) {
-        const float row = static_cast<float>(l), descent = s.number(down, row);
-        const float vx = s.number(speed_x, row), vy = s.number(speed_y, row);
-        const float inverse = 1 / f32::max(vx * vx + vy * vy, 1e-12F);
-        const float from = near[l], to = far[l];
-        const f32::SectionCorner c0 = f32::section_corner(s.edge(0, row), inverse, descent, from, to);
-        const f32::SectionCorner c1 = f32::section_corner(s.edge(1, row), inverse, descent, from, to);
-        const f32::SectionCorner c2 = f32::section_corner(s.edge(2, row), inverse, descent, from, to);
-        const f32::SectionCorner c3 = f32::section_corner(s.edge(3, row), inverse, descent, from, to);
+        const float row = static_cast<float>(l), descent = s.number(down, row), from = near[l], to = far[l];
+        const f32::CellCorners c =
+            f32::cell_corners(s.edge(0, row), s.edge(1, row), s.edge(2, row), s.edge(3, row),
+                              {s.number(speed_x, row), s.number(speed_y, row)}, descent, from, to);
         const PhaseFraction p = phase(s.number(towards, row) * per_length[l]);
-        const f32::BeamChord a = f32::beam_chord(c0, c1, c2, p.denominator);
-        const f32::BeamChord b = f32::beam_chord(c0, c2, c3, p.denominator);
-        const float over = f32::max(excess(a, from, to, descent, s.constant.lowest_lid),
-                                    excess(b, from, to, descent, s.constant.lowest_lid));
+        const f32::BeamChord a = f32::beam_chord(c.c0, c.c1, c.c2, p.denominator);
+        const f32::BeamChord b = f32::beam_chord(c.c0, c.c2, c.c3, p.denominator);
+        float over = f32::max(f32::chord_excess(a, from, to, descent, lowest_lid),
+                              f32::chord_excess(b, from, to, descent, lowest_lid));
+        if (uneven)
+            over = f32::max(over, f32::max(f32::chord_excess_below(a, descent, highest_end),
+                                           f32::chord_excess_below(b, descent, highest_end)));
         beam0.density[l] = power0 * p.numerator * a.density;
         beam0.begin[l] = a.begin;
         beam0.end[l] = a.end;
@@ -89,42 +83,40 @@ int meet(const Section& s, const Rays& rays, const PhaseFunction& phase, Chords&
     return beyond;
 }
 
-/// Cuts the chords of one beam at their rays' ends and at the surface.
-inline void cut(const Section& s, const Rays& rays, int beam, Chords::OfBeam& chords) {
+/// Cuts the chords of one beam at their rays' ends, at the surface and on the ground.
+template <bool uneven>
+void cut(const Section& s, const Rays& rays, int beam, Chords::OfBeam& chords) {
     const float* __restrict near = rays.near, * __restrict far = rays.far;
-    const float distance = s.constant.lid_distance[beam];
+    const float top = s.constant.top_distance[beam], ground = s.constant.ground_distance[beam];
 #pragma GCC ivdep
     for (int l = 0; l < lanes; ++l) {
-        const float speed = s.number(lid + beam, static_cast<float>(l));
-        const float cover = distance / (f32::abs(speed) < 1e-12F ? 1e-12F : speed);
-        const float from = speed < 0 ? f32::max(near[l], cover) : near[l];
-        const float to = speed < 0 ? far[l] : f32::min(far[l], cover);
-        const float begin = chords.begin[l], end = chords.end[l];
-        chords.density[l] *= f32::part_within(begin, end, from, to);
-        chords.begin[l] = f32::clamp(begin, from, to);
-        chords.end[l] = f32::clamp(end, from, to);
+        const float row = static_cast<float>(l);
+        f32::WaterSpan span = f32::within_lid({near[l], far[l]}, s.number(top_lid + beam, row), top);
+        if (uneven) span = f32::within_lid(span, s.number(ground_lid + beam, row), ground);
+        const f32::BeamChord kept = f32::cut_chord({chords.density[l], chords.begin[l], chords.end[l]}, span);
+        chords.density[l] = kept.density;
+        chords.begin[l] = kept.begin;
+        chords.end[l] = kept.end;
     }
+}
+
+inline f32::BeamChord whole_chord(const Chords& chords, int l) {
+    const Chords::OfBeam &a = chords.beam[0], &b = chords.beam[1];
+    return f32::joined_chord({a.density[l], a.begin[l], a.end[l]}, {b.density[l], b.begin[l], b.end[l]});
 }
 
 /// Adds what reaches the camera from the middle of the way through both beams.
 inline void add_up(const Section& s, const Rays& rays, const Chords& chords) {
     const float* __restrict entry = rays.entry, * __restrict length = rays.length;
-    const Chords::OfBeam &a = chords.beam[0], &b = chords.beam[1];
     float* __restrict sum = rays.sum;
 #pragma GCC ivdep
-    for (int l = 0; l < lanes; ++l) {
-        const f32::BeamChord whole =
-            f32::joined_chord({a.density[l], a.begin[l], a.end[l]}, {b.density[l], b.begin[l], b.end[l]});
-        const float middle = 0.5F * (whole.begin + whole.end);
-        const float descent = s.number(down, static_cast<float>(l));
-        const float left = f32::beam_attenuation(s.constant.extinction, s.constant.path, s.constant.above, descent,
-                                                 entry[l], length[l], middle);
-        sum[l] += whole.density > 0 ? length[l] * whole.density * left : 0.0F;
-    }
+    for (int l = 0; l < lanes; ++l)
+        sum[l] += f32::light_from_chord(whole_chord(chords, l), s.constant.extinction, s.constant.path,
+                                        s.constant.above, s.number(down, static_cast<float>(l)), entry[l], length[l]);
 }
 
 /// The way through both beams in `samples` parts, each with the warp that the beams have there.
-template <class PhaseFunction>
+template <bool uneven, class PhaseFunction>
 void add_up_finely(const Section& s, const Rays& rays, const PhaseFunction& phase, int samples, const Chords& chords) {
     alignas(64) float near[lanes], far[lanes];
     Rays part = rays;
@@ -132,16 +124,13 @@ void add_up_finely(const Section& s, const Rays& rays, const PhaseFunction& phas
     part.far = far;
     for (int k = 0; k < samples; ++k) {
         for (int l = 0; l < lanes; ++l) {
-            const Chords::OfBeam &a = chords.beam[0], &b = chords.beam[1];
-            const f32::BeamChord whole =
-                f32::joined_chord({a.density[l], a.begin[l], a.end[l]}, {b.density[l], b.begin[l], b.end[l]});
-            const float step = (whole.end - whole.begin) / static_cast<float>(samples);
-            near[l] = whole.begin + static_cast<float>(k) * step;
-            far[l] = k + 1 == samples ? whole.end : whole.begin + static_cast<float>(k + 1) * step;
+            const f32::WaterSpan span = f32::chord_part(whole_chord(chords, l), k, samples);
+            near[l] = span.near;
+            far[l] = span.far;
         }
         Chords of_part;
-        meet(s, part, phase, of_part);
-        for (int beam = 0; beam < 2; ++beam) cut(s, part, beam, of_part.beam[beam]);
+        meet<uneven>(s, part, phase, of_part);
+        for (int beam = 0; beam < 2; ++beam) cut<uneven>(s, part, beam, of_part.beam[beam]);
         add_up(s, part, of_part);
     }
 }
@@ -156,9 +145,11 @@ class BlockQueue {
             per_column_[f] = glm::dot(v.form[f], rays.right);
             constant_.per_row[f] = glm::dot(v.form[f], rays.up);
         }
-        constant_.lid_distance = v.lid_distance;
+        constant_.top_distance = v.top_distance;
+        constant_.ground_distance = v.ground_distance;
         constant_.power = {v.power[0] * scattering, v.power[1] * scattering};
         constant_.lowest_lid = v.lowest_lid;
+        constant_.highest_end = v.highest_end;
         constant_.above = v.above;
         constant_.path = v.path;
         constant_.extinction = extinction;
@@ -173,22 +164,22 @@ class BlockQueue {
         block_rays_[count_++] = rays;
     }
 
-    template <class PhaseFunction>
+    template <bool uneven, class PhaseFunction>
     void work_off(const PhaseFunction& phase, int samples) {
         std::array<int, capacity> beyond;
         int count = 0;
         for (int k = 0; k < count_; ++k) {
             beyond[count] = k;
-            count += meet(section(k), block_rays_[k], phase, chords_[k]);
+            count += meet<uneven>(section(k), block_rays_[k], phase, chords_[k]);
         }
         for (int k = 0; k < count; ++k)
             for (int beam = 0; beam < 2; ++beam)
-                cut(section(beyond[k]), block_rays_[beyond[k]], beam, chords_[beyond[k]].beam[beam]);
+                cut<uneven>(section(beyond[k]), block_rays_[beyond[k]], beam, chords_[beyond[k]].beam[beam]);
         for (int k = 0; k < count_; ++k) {
             if (samples == 1)
                 add_up(section(k), block_rays_[k], chords_[k]);
             else
-                add_up_finely(section(k), block_rays_[k], phase, samples, chords_[k]);
+                add_up_finely<uneven>(section(k), block_rays_[k], phase, samples, chords_[k]);
         }
         count_ = 0;
     }

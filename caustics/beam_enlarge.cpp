@@ -14,8 +14,10 @@ namespace waterlight {
 namespace {
 
 /// Way of a camera's rays through the water, m, by pixel.
-Field<float> ways(const Camera& camera, const WaterBox& box) {
-    const ViewRays rays(camera.rays());
+Field<float> ways(const BeamImageSettings& settings, const Camera& camera, const WaterBox& box) {
+    const Field<float> reach =
+        settings.ground ? ground_reach(camera, *settings.ground, settings.range_m) : Field<float>();
+    const ViewRays rays(Viewpoint(camera).rays);
     Field<float> way(camera.size.x, camera.size.y);
 #pragma omp parallel for schedule(static)
     for (int j = 0; j < camera.size.y; ++j) {
@@ -28,6 +30,10 @@ Field<float> ways(const Camera& camera, const WaterBox& box) {
             const f32::WaterSpan span = box.span(r);
             row[i] = f32::max(0.0F, span.far - span.near) * f32::sqrt(r.x * r.x + r.y * r.y + r.z * r.z);
         }
+        for (int i = 0; i < reach.nx(); ++i)
+            row[i] = f32::min(row[i],
+                              reach(i, j) * static_cast<float>(glm::length(rays.corner + static_cast<float>(i) * right +
+                                                                           static_cast<float>(j) * rays.up)));
     }
     return way;
 }
@@ -67,9 +73,9 @@ Camera reduced(const Camera& camera, int reduction) {
 }
 
 void enlarge(const BeamImageSettings& settings, const Beams& beams, const Field<float>& coarse, Field<float>& picture) {
-    const WaterBox box(beams, settings.camera.position_m);
-    const Field<float> own = ways(settings.camera, box),
-                       of_coarse = ways(reduced(settings.camera, settings.reduction), box);
+    const WaterBox box(beams, Viewpoint(settings.camera).eye_m);
+    const Field<float> own = ways(settings, settings.camera, box),
+                       of_coarse = ways(settings, reduced(settings.camera, settings.reduction), box);
     const std::vector<Place> column = places(picture.nx(), coarse.nx(), settings.reduction);
     const std::vector<Place> row = places(picture.ny(), coarse.ny(), settings.reduction);
 #pragma omp parallel for schedule(static)

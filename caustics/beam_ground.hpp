@@ -1,6 +1,7 @@
 // The ground as rays in the water meet it.
 #pragma once
 
+#include <algorithm>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -20,6 +21,9 @@ class BeamGround {
 
     double height_m(glm::dvec2 at_m) const;
     double lowest_m() const { return lowest_; }
+    double highest_m() const { return highest_; }
+    /// Of a cell, the smaller: on which the ground is even.
+    double step_m() const { return std::min(grid_.dx_m, grid_.dy_m); }
 
     /// The height at which a ray from a place in the water first meets the ground; `travel` in horizontal metres per
     /// metre of descent. Where the water is no deeper than `film_m`, so much above

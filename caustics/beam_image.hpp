@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "caustics/beams.hpp"
 #include "caustics/camera.hpp"
+#include "caustics/picture_ground.hpp"
 
 namespace waterlight {
 
@@ -14,13 +16,14 @@ struct BeamImageSettings {
     int samples = 1;       ///< sections of a ray's way through a beam, each sampled in its middle, >= 1
     int reduction = 1;     ///< draws one ray of so many each way and enlarges; 1 draws all
     double range_m = 100;  ///< how far the camera sees; to there periodic sides repeat the beams, > 0
+    std::optional<PictureGround> ground;  ///< none: a flat floor
 };
 
 /// What a picture took.
 struct BeamImageCounts {
     std::int64_t beams = 0;           ///< that the picture shows, copies beyond periodic sides included
     std::int64_t covered_pixels = 0;  ///< that see any beam
-    std::int64_t sections = 0;        ///< rays through the outlines of cells of two beams
+    std::int64_t sections = 0;        ///< rays through the outlines of cells of two beams; 0 on vulkan: not counted
 };
 
 struct BeamImage {

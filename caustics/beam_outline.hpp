@@ -108,4 +108,10 @@ class BeamOutline {
     float bottom_ = 0, top_ = 0;
 };
 
+/// Whether an outline may hold the centre of any pixel.
+inline bool in_frame(const BeamOutline& o, glm::ivec2 size) {
+    return !o.empty() && o.right() >= 0 && o.left() <= static_cast<float>(size.x - 1) && o.top() >= 0 &&
+           o.bottom() <= static_cast<float>(size.y - 1);
+}
+
 }  // namespace waterlight

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "caustics/beam_renderer.hpp"
 #include "caustics/kernels/beams.hpp"
 #include "sim/error.hpp"
 
@@ -62,17 +63,7 @@ void make_refined_beams(const BeamSettings& settings, double share, const Surfac
 }
 
 void draw_beams(const BeamImageSettings& settings, const RefinedBeams& beams, BeamImage& image) {
-    BeamImage fine;
-    draw_beams(settings, beams.coarse, image);
-    draw_beams(settings, beams.fine, fine);
-    std::int64_t covered = 0;
-    for (std::size_t i = 0; i < image.radiance.size(); ++i) {
-        image.radiance.data()[i] += fine.radiance.data()[i];
-        covered += image.radiance.data()[i] > 0 ? 1 : 0;
-    }
-    image.counts.beams += fine.counts.beams;
-    image.counts.sections += fine.counts.sections;
-    image.counts.covered_pixels = covered;
+    draw_beams(*make_beam_renderer_cpu(), settings, beams, image);
 }
 
 }  // namespace waterlight

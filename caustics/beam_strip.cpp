@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "caustics/beam_blocks.hpp"
+#include "caustics/beam_outline.hpp"
 #include "caustics/water_box.hpp"
 
 namespace waterlight {
@@ -16,8 +17,13 @@ int padded(int rows) { return (rows + 2 * lanes - 1) / lanes * lanes; }
 
 }  // namespace
 
-BeamStrip::BeamStrip(const BeamImageSettings& settings, const Beams& beams)
-    : settings_(settings), beams_(beams), rays_(settings.camera.rays()), view_rays_(rays_) {
+BeamStrip::BeamStrip(const BeamImageSettings& settings, const Beams& beams, const Field<float>& reach)
+    : settings_(settings),
+      beams_(beams),
+      reach_(reach),
+      view_(settings.camera),
+      view_rays_(view_.rays),
+      uneven_(!ends_level(beams)) {
     const int rows = padded(settings.camera.size.y);
     for (Field<float>* f : {&length_, &per_length_, &near_, &far_, &sum_}) *f = Field<float>(rows, columns);
 }
@@ -25,7 +31,7 @@ BeamStrip::BeamStrip(const BeamImageSettings& settings, const Beams& beams)
 void BeamStrip::begin(int first_column) {
     first_column_ = first_column;
     sum_.fill(0);
-    const WaterBox box(beams_, settings_.camera.position_m);
+    const WaterBox box(beams_, view_.eye_m);
     const float range = static_cast<float>(settings_.range_m);
     for (int k = 0; k < columns; ++k) {
         const glm::vec3 first = view_rays_.corner + static_cast<float>(first_column + k) * view_rays_.right;
@@ -43,6 +49,8 @@ void BeamStrip::begin(int first_column) {
             near[i] = span.near;
             far[i] = f32::min(span.far, range * per_length[i]);
         }
+        if (reach_.empty() || first_column_ + k >= reach_.nx()) continue;
+        for (int i = 0; i < reach_.ny(); ++i) far[i] = f32::min(far[i], reach_(first_column_ + k, i));
     }
 }
 
@@ -52,8 +60,8 @@ std::int64_t BeamStrip::add(const CellCopy& copy, const PhaseFunction& phase) {
         return blocks::Rays{length_.row(k) + row, per_length_.row(k) + row, near_.row(k) + row,
                             near_.row(k) + row,   far_.row(k) + row,        sum_.row(k) + row};
     };
-    const std::array<glm::vec3, 8> corners = beam_corners(beams_, copy, settings_.camera.position_m);
-    const BeamOutline outline(rays_, corners);
+    const std::array<glm::vec3, 8> corners = beam_corners(beams_, copy, view_.eye_m);
+    const BeamOutline outline(view_.rays, corners);
     const CellView view = view_of(beams_, copy, corners);
     blocks::BlockQueue queue(view, view_rays_, static_cast<float>(settings_.optics.scattering_per_m),
                              static_cast<float>(beams_.extinction_per_m));
@@ -62,6 +70,10 @@ std::int64_t BeamStrip::add(const CellCopy& copy, const PhaseFunction& phase) {
     const int begin = static_cast<int>(std::ceil(std::clamp(outline.left(), first, last)));
     const int end = static_cast<int>(std::floor(std::clamp(outline.right(), first, last)));
     std::int64_t met = 0;
+    const auto work_off = [&] {
+        uneven_ ? queue.template work_off<true>(phase, settings_.samples)
+                : queue.template work_off<false>(phase, settings_.samples);
+    };
     for (int i = begin; i <= end; ++i) {
         const PixelSpan span = outline.rows(static_cast<float>(i));
         if (span.high < 0 || span.low > top) continue;
@@ -69,11 +81,11 @@ std::int64_t BeamStrip::add(const CellCopy& copy, const PhaseFunction& phase) {
         const int high = static_cast<int>(std::floor(std::min(span.high, top)));
         for (int row = low; row <= high; row += lanes) {
             queue.push(i, row, rays_at(i - first_column_, row));
-            if (queue.full()) queue.work_off(phase, settings_.samples);
+            if (queue.full()) work_off();
         }
         met += std::max(0, high - low + 1);
     }
-    queue.work_off(phase, settings_.samples);
+    work_off();
     return met;
 }
 

@@ -15,7 +15,8 @@ class BeamStrip {
   public:
     static constexpr int columns = 32;
 
-    BeamStrip(const BeamImageSettings& settings, const Beams& beams);
+    /// `reach`: of ground_reach(). All outlive the strip.
+    BeamStrip(const BeamImageSettings& settings, const Beams& beams, const Field<float>& reach);
 
     /// Starts at this column of the picture, dark.
     void begin(int first_column);
@@ -28,8 +29,10 @@ class BeamStrip {
   private:
     const BeamImageSettings& settings_;
     const Beams& beams_;
-    Camera::Rays rays_;
+    const Field<float>& reach_;
+    Viewpoint view_;
     ViewRays view_rays_;
+    bool uneven_;  ///< beams end on ground of their own
     int first_column_ = 0;
     Field<float> length_, per_length_, near_, far_, sum_;  ///< a row for each column of the strip
 };

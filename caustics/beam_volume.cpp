@@ -161,7 +161,7 @@ class SliceFiller {
 
 }  // namespace
 
-void fill_volume(const Beams& beams, glm::ivec3 cells, BeamVolume& volume) {
+void fit(const Beams& beams, glm::ivec3 cells, BeamVolume& volume) {
     if (cells.x < 1 || cells.y < 1 || cells.z < 1)
         throw InputError(
             fmt::format("beams: the volume has {} x {} x {} cells; at least 1 each", cells.x, cells.y, cells.z));
@@ -173,6 +173,10 @@ void fill_volume(const Beams& beams, glm::ivec3 cells, BeamVolume& volume) {
     volume.depth_m = beams.depth_m;
     volume.ground_m = beams.ground ? ground_under(*beams.ground, beams.domain, cells) : Field<float>();
     volume.ledger.assign(cells.z, {});
+}
+
+void fill_volume(const Beams& beams, glm::ivec3 cells, BeamVolume& volume) {
+    fit(beams, cells, volume);
 #pragma omp parallel
     {
         SliceFiller filler(beams, cells);

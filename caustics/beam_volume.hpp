@@ -47,4 +47,7 @@ struct BeamVolume {
 /// its size fits. Throws InputError where a count is below 1.
 void fill_volume(const Beams& beams, glm::ivec3 cells, BeamVolume& volume);
 
+/// Makes `volume` fit the beams, its ledger empty. Throws InputError where a count is below 1.
+void fit(const Beams& beams, glm::ivec3 cells, BeamVolume& volume);
+
 }  // namespace waterlight

@@ -1,5 +1,7 @@
 #include "caustics/phase.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace waterlight {
@@ -20,11 +22,14 @@ double evaluate(const Phase& phase, double sine2) {
 
 }  // namespace
 
-PhaseTable::PhaseTable(const Phase& phase) : table_((octaves << node_bits) + 2), values_(table_.data()) {
+PhaseTable::PhaseTable(const Phase& phase) {
+    constexpr int last = std::bit_cast<std::int32_t>(1.0F) - f32::phase_first_bits;
+    table_.resize((last >> f32::phase_node_shift) + 2);  // one more beside the node of 1
     for (int i = 0; i < static_cast<int>(table_.size()); ++i) {
-        const float sine2 = std::bit_cast<float>(first_bits + (i << (23 - node_bits)));
+        const float sine2 = std::bit_cast<float>(f32::phase_first_bits + (i << f32::phase_node_shift));
         table_[i] = static_cast<float>(evaluate(phase, std::min(1.0F, sine2)));
     }
+    values_ = table_.data();
 }
 
 }  // namespace waterlight

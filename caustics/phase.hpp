@@ -1,9 +1,11 @@
 // A phase function as a picture evaluates it for many rays at once.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "caustics/kernels/phase.hpp"
+#include "caustics/kernels/phase_table.hpp"
 #include "caustics/light.hpp"
 
 namespace waterlight {
@@ -25,18 +27,12 @@ class PhaseTable {
   public:
     explicit PhaseTable(const Phase& phase);
     PhaseFraction operator()(float cosine) const {
-        const float sine2 = f32::clamp(0.5F - 0.5F * cosine, least, 1.0F);
-        const std::int32_t bits = std::bit_cast<std::int32_t>(sine2) - first_bits;
-        const std::int32_t node = bits >> (23 - node_bits);
-        const float part = static_cast<float>(bits & ((1 << (23 - node_bits)) - 1)) / (1 << (23 - node_bits));
-        return {values_[node] + part * (values_[node + 1] - values_[node]), 1};
+        const f32::PhaseNode node = f32::phase_node(cosine);
+        return {values_[node.index] + node.part * (values_[node.index + 1] - values_[node.index]), 1};
     }
+    std::span<const float> values() const { return table_; }
 
   private:
-    static constexpr int node_bits = 5, octaves = 24;
-    static constexpr float least = 1.0F / (1 << octaves);
-    static constexpr std::int32_t first_bits = std::bit_cast<std::int32_t>(least);
-
     std::vector<float> table_;
     const float* values_;
 };

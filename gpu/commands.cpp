@@ -10,10 +10,12 @@ namespace {
 
 using Stage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
+using Layout = vk::ImageLayout;
 
-constexpr vk::PipelineStageFlags2 device_stages = Stage::eComputeShader | Stage::eTransfer;
 constexpr vk::AccessFlags2 device_writes = Access::eShaderStorageWrite | Access::eTransferWrite;
 constexpr vk::AccessFlags2 device_accesses = device_writes | Access::eShaderStorageRead | Access::eTransferRead;
+constexpr vk::AccessFlags2 drawing_writes = Access::eColorAttachmentWrite;
+constexpr vk::AccessFlags2 drawing_accesses = drawing_writes | Access::eColorAttachmentRead;
 
 std::uint32_t groups(std::uint32_t invocations, std::uint32_t workgroup) {
     return (invocations + workgroup - 1) / workgroup;
@@ -24,6 +26,8 @@ std::uint32_t groups(std::uint32_t invocations, std::uint32_t workgroup) {
 struct Commands::Impl {
     std::shared_ptr<Context> context;
     std::uint32_t timed_passes = 0;
+    vk::PipelineStageFlags2 stages;  // all that a list may use
+    vk::AccessFlags2 writes, accesses;
     vk::raii::CommandBuffer list{nullptr};
     vk::raii::Fence done{nullptr};
     vk::raii::QueryPool stamps{nullptr};
@@ -33,7 +37,11 @@ struct Commands::Impl {
 
     Impl(std::shared_ptr<Context> owner, std::uint32_t timed);
     const vk::raii::CommandBuffer& begin();
-    void barrier(vk::PipelineStageFlags2 to_stage, vk::AccessFlags2 to_access) const;
+    void barrier() const;
+    void barrier_to_host() const;
+    void relayout(const Target& target, vk::ImageLayout from, vk::ImageLayout to) const;
+    template <class Work>
+    void timed(const std::string& name, vk::PipelineStageFlags2 stage, Work work);
     void read_stamps();
 };
 
@@ -42,6 +50,14 @@ Commands::Impl::Impl(std::shared_ptr<Context> owner, std::uint32_t timed) : cont
     vk::raii::CommandBuffers lists(c.device, {*c.pool, vk::CommandBufferLevel::ePrimary, 1});
     list = std::move(lists.front());
     done = {c.device, vk::FenceCreateInfo()};
+    stages = Stage::eComputeShader | Stage::eTransfer;
+    writes = device_writes;
+    accesses = device_accesses;
+    if (context->device().graphics) {
+        stages |= Stage::eVertexShader | Stage::eFragmentShader | Stage::eColorAttachmentOutput;
+        writes |= drawing_writes;
+        accesses |= drawing_accesses;
+    }
     if (timed > 0 && c.timestamp_period_ns > 0) {
         timed_passes = timed;
         stamps = {c.device, vk::QueryPoolCreateInfo({}, vk::QueryType::eTimestamp, 2 * timed)};
@@ -58,9 +74,33 @@ const vk::raii::CommandBuffer& Commands::Impl::begin() {
     return list;
 }
 
-void Commands::Impl::barrier(vk::PipelineStageFlags2 to_stage, vk::AccessFlags2 to_access) const {
-    const vk::MemoryBarrier2 all(device_stages, device_writes, to_stage, to_access);
+// Between any two entries, so that the later sees what the earlier wrote.
+void Commands::Impl::barrier() const {
+    const vk::MemoryBarrier2 all(stages, writes, stages, accesses);
     list.pipelineBarrier2(vk::DependencyInfo({}, all));
+}
+
+void Commands::Impl::barrier_to_host() const {
+    const vk::MemoryBarrier2 all(stages, writes, Stage::eHost, Access::eHostRead);
+    list.pipelineBarrier2(vk::DependencyInfo({}, all));
+}
+
+// A barrier that also brings the pixels into another layout.
+void Commands::Impl::relayout(const Target& target, vk::ImageLayout from, vk::ImageLayout to) const {
+    const vk::ImageMemoryBarrier2 change(stages, writes, stages, accesses, from, to, VK_QUEUE_FAMILY_IGNORED,
+                                         VK_QUEUE_FAMILY_IGNORED, *target.impl().image, Target::Impl::whole);
+    list.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, change));
+}
+
+template <class Work>
+void Commands::Impl::timed(const std::string& name, vk::PipelineStageFlags2 stage, Work work) {
+    const bool stamped = recorded.size() < timed_passes;
+    const auto first_stamp = static_cast<std::uint32_t>(2 * recorded.size());
+    if (stamped) list.writeTimestamp2(stage, *stamps, first_stamp);
+    work();
+    if (!stamped) return;
+    list.writeTimestamp2(stage, *stamps, first_stamp + 1);
+    recorded.push_back({name, 0});
 }
 
 void Commands::Impl::read_stamps() {
@@ -89,7 +129,7 @@ void Commands::upload(const Buffer& buffer) {
     assert(b.use == BufferUse::from_host || b.use == BufferUse::both);
     if (!b.staged()) return;
     impl_->begin().copyBuffer(*b.staging.handle, *b.main.handle, vk::BufferCopy(0, 0, b.bytes));
-    impl_->barrier(device_stages, device_accesses);
+    impl_->barrier();
 }
 
 void Commands::download(const Buffer& buffer) {
@@ -97,34 +137,65 @@ void Commands::download(const Buffer& buffer) {
     assert(b.use == BufferUse::to_host || b.use == BufferUse::both);
     const vk::raii::CommandBuffer& list = impl_->begin();
     if (b.staged()) list.copyBuffer(*b.main.handle, *b.staging.handle, vk::BufferCopy(0, 0, b.bytes));
-    impl_->barrier(Stage::eHost, Access::eHostRead);
+    impl_->barrier_to_host();
 }
 
 void Commands::clear(const Buffer& buffer) {
     impl_->begin().fillBuffer(*buffer.impl().main.handle, 0, VK_WHOLE_SIZE, 0);
-    impl_->barrier(device_stages, device_accesses);
+    impl_->barrier();
 }
 
 void Commands::dispatch_bytes(const Pass& pass, Extent extent, std::span<const std::byte> parameters) {
     const Pass::Impl& p = pass.impl();
-    assert(parameters.size() == p.settings.push_bytes);
     const vk::raii::CommandBuffer& list = impl_->begin();
-    const bool timed = impl_->recorded.size() < impl_->timed_passes;
-    const auto first_stamp = static_cast<std::uint32_t>(2 * impl_->recorded.size());
+    impl_->timed(p.settings.name, Stage::eComputeShader, [&] {
+        list.bindPipeline(vk::PipelineBindPoint::eCompute, *p.pipeline);
+        p.binding.use(list, vk::PipelineBindPoint::eCompute, parameters);
+        const auto& workgroup = p.settings.workgroup;
+        list.dispatch(groups(extent[0], workgroup[0]), groups(extent[1], workgroup[1]),
+                      groups(extent[2], workgroup[2]));
+    });
+    impl_->barrier();
+}
 
-    if (timed) list.writeTimestamp2(Stage::eComputeShader, *impl_->stamps, first_stamp);
-    list.bindPipeline(vk::PipelineBindPoint::eCompute, *p.pipeline);
-    list.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *p.layout, 0, *p.set, {});
-    if (!parameters.empty())
-        list.pushConstants<std::byte>(*p.layout, vk::ShaderStageFlagBits::eCompute, 0,
-                                      {static_cast<std::uint32_t>(parameters.size()), parameters.data()});
-    const auto& workgroup = p.settings.workgroup;
-    list.dispatch(groups(extent[0], workgroup[0]), groups(extent[1], workgroup[1]), groups(extent[2], workgroup[2]));
-    if (timed) {
-        list.writeTimestamp2(Stage::eComputeShader, *impl_->stamps, first_stamp + 1);
-        impl_->recorded.push_back({p.settings.name, 0});
-    }
-    impl_->barrier(device_stages, device_accesses);
+void Commands::clear(const Target& target) {
+    const vk::raii::CommandBuffer& list = impl_->begin();
+    impl_->relayout(target, Layout::eUndefined, Layout::eTransferDstOptimal);
+    list.clearColorImage(*target.impl().image, Layout::eTransferDstOptimal,
+                         vk::ClearColorValue(std::array{0.0F, 0.0F, 0.0F, 0.0F}), Target::Impl::whole);
+    impl_->relayout(target, Layout::eTransferDstOptimal, Layout::eColorAttachmentOptimal);
+}
+
+void Commands::draw_bytes(const Raster& raster, const Target& target, Strips strips,
+                          std::span<const std::byte> parameters) {
+    const Raster::Impl& r = raster.impl();
+    const Target::Impl& t = target.impl();
+    const vk::raii::CommandBuffer& list = impl_->begin();
+    const vk::Rect2D area({0, 0}, {t.width, t.height});
+    impl_->timed(r.name, Stage::eColorAttachmentOutput, [&] {
+        const vk::RenderingAttachmentInfo colour(*t.view, Layout::eColorAttachmentOptimal, {}, {}, {},
+                                                 vk::AttachmentLoadOp::eLoad, vk::AttachmentStoreOp::eStore);
+        list.beginRendering(vk::RenderingInfo({}, area, 1, 0, colour));
+        list.bindPipeline(vk::PipelineBindPoint::eGraphics, *r.pipeline);
+        list.setViewport(0, vk::Viewport(0, 0, static_cast<float>(t.width), static_cast<float>(t.height), 0, 1));
+        list.setScissor(0, area);
+        r.binding.use(list, vk::PipelineBindPoint::eGraphics, parameters);
+        list.draw(strips.vertices, strips.count, 0, 0);
+        list.endRendering();
+    });
+    impl_->barrier();
+}
+
+void Commands::copy(const Target& target, const Buffer& buffer) {
+    const Target::Impl& t = target.impl();
+    assert(buffer.bytes() >= sizeof(float) * t.width * t.height);
+    const vk::BufferImageCopy all(0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {0, 0, 0},
+                                  {t.width, t.height, 1});
+    const vk::raii::CommandBuffer& list = impl_->begin();
+    impl_->relayout(target, Layout::eColorAttachmentOptimal, Layout::eTransferSrcOptimal);
+    list.copyImageToBuffer(*t.image, Layout::eTransferSrcOptimal, *buffer.impl().main.handle, all);
+    impl_->relayout(target, Layout::eTransferSrcOptimal, Layout::eColorAttachmentOptimal);
+    impl_->barrier();
 }
 
 void Commands::run() {

@@ -1,4 +1,4 @@
-// A list of copies and passes that the device runs in order.
+// A list of copies, passes and draws that the device runs in order.
 #pragma once
 
 #include <array>
@@ -12,12 +12,19 @@
 #include "gpu/buffer.hpp"
 #include "gpu/context.hpp"
 #include "gpu/pass.hpp"
+#include "gpu/raster.hpp"
 
 namespace waterlight::gpu {
 
 /// How many invocations of a pass are wanted along each axis; rounded up to whole workgroups, so that a shader must
 /// turn away those beyond.
 using Extent = std::array<std::uint32_t, 3>;
+
+/// What a raster pass draws: so many strips of triangles, each of so many vertices.
+struct Strips {
+    std::uint32_t count = 0;
+    std::uint32_t vertices = 0;
+};
 
 struct Timing {
     std::string pass;
@@ -27,7 +34,7 @@ struct Timing {
 /// Each entry waits for all before it, so that a pass sees what earlier passes and copies wrote. Record, run, record.
 class Commands {
   public:
-    /// Up to `timed_passes` dispatches of each run are timed. Throws Error where the device refuses.
+    /// Up to `timed_passes` dispatches and draws of each run are timed. Throws Error where the device refuses.
     explicit Commands(std::shared_ptr<Context> context, std::uint32_t timed_passes = 0);
     ~Commands();
     Commands(Commands&&) noexcept;
@@ -48,6 +55,17 @@ class Commands {
     /// The same for a pass without push constants.
     void dispatch(const Pass& pass, Extent extent) { dispatch_bytes(pass, extent, {}); }
 
+    /// Sets every pixel to zero; once before the first draw into it.
+    void clear(const Target& target);
+    /// Draws strips, adding them to the target; `parameters` as those of dispatch().
+    template <class Parameters>
+    void draw(const Raster& raster, const Target& target, Strips strips, const Parameters& parameters) {
+        static_assert(std::is_trivially_copyable_v<Parameters>);
+        draw_bytes(raster, target, strips, std::as_bytes(std::span(&parameters, 1)));
+    }
+    /// Copies the pixels, row after row, to the start of a buffer that has room for them.
+    void copy(const Target& target, const Buffer& buffer);
+
     /// Hands the list to the device, waits until it is done, and empties it. Throws Error where the device is lost.
     void run();
     /// Of the last run(), in order; empty where none were asked for or the device keeps no time.
@@ -57,6 +75,7 @@ class Commands {
 
   private:
     void dispatch_bytes(const Pass& pass, Extent extent, std::span<const std::byte> parameters);
+    void draw_bytes(const Raster& raster, const Target& target, Strips strips, std::span<const std::byte> parameters);
     std::unique_ptr<Impl> impl_;
 };
 

@@ -6,13 +6,13 @@ namespace waterlight::gpu {
 
 namespace {
 
-// Features that Vulkan 1.3 grants to everyone who asks: barriers of the newer form, and workgroup sizes that are
-// specialisation constants.
+// Features that Vulkan 1.3 grants to everyone who asks: barriers of the newer form, workgroup sizes that are
+// specialisation constants, and drawing without render passes.
 vk::raii::Device open_device(const vk::raii::PhysicalDevice& physical, std::uint32_t queue_family) {
     const float priority = 1;
     const vk::DeviceQueueCreateInfo queue({}, queue_family, 1, &priority);
     vk::PhysicalDeviceVulkan13Features features;
-    features.setSynchronization2(true).setMaintenance4(true);
+    features.setSynchronization2(true).setMaintenance4(true).setDynamicRendering(true);
     vk::DeviceCreateInfo info({}, queue);
     info.setPNext(&features);
     return {physical, info};

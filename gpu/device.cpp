@@ -66,6 +66,13 @@ std::string explain_none(const std::vector<Candidate>& candidates, const std::ve
 
 }  // namespace
 
+std::vector<std::string> drawing_rejections(const DeviceDescription& device) {
+    std::vector<std::string> reasons;
+    if (!device.graphics) reasons.emplace_back("has no queue for drawing");
+    if (!device.adds_floats) reasons.emplace_back("does not blend into targets of 32-bit floats");
+    return reasons;
+}
+
 std::string_view name(DeviceType type) {
     switch (type) {
         case DeviceType::discrete:

@@ -33,7 +33,13 @@ struct DeviceDescription {
     bool compute = false;                        ///< some queue of it runs compute passes
     std::uint64_t largest_storage_buffer_b = 0;  ///< bytes
     std::uint64_t memory_b = 0;                  ///< bytes of device-local memory
+    bool graphics = false;                       ///< the queue that runs compute passes draws too
+    bool adds_floats = false;                    ///< blends into targets of 32-bit floats
+    std::uint32_t largest_target = 0;            ///< pixels along a side of what it draws into
 };
+
+/// Every reason why passes that draw cannot run on the device; none if they can. Other passes may.
+std::vector<std::string> drawing_rejections(const DeviceDescription& device);
 
 /// A device and every reason why it cannot be used; none if it can.
 struct Candidate {

@@ -123,7 +123,16 @@ DeviceDescription describe(const vk::raii::PhysicalDevice& device) {
     description.type = type_of(properties.deviceType);
     description.api = {VK_API_VERSION_MAJOR(properties.apiVersion), VK_API_VERSION_MINOR(properties.apiVersion),
                        VK_API_VERSION_PATCH(properties.apiVersion)};
-    description.compute = pass_queue_family(device).has_value();
+    const std::optional<std::uint32_t> family = pass_queue_family(device);
+    description.compute = family.has_value();
+    description.graphics =
+        family && (device.getQueueFamilyProperties()[*family].queueFlags & vk::QueueFlagBits::eGraphics);
+    constexpr vk::FormatFeatureFlags needed = vk::FormatFeatureFlagBits::eColorAttachmentBlend |
+                                              vk::FormatFeatureFlagBits::eTransferSrc |
+                                              vk::FormatFeatureFlagBits::eTransferDst;
+    description.adds_floats = (device.getFormatProperties(target_format).optimalTilingFeatures & needed) == needed;
+    description.largest_target =
+        std::min(properties.limits.maxFramebufferWidth, properties.limits.maxFramebufferHeight);
     description.largest_storage_buffer_b = properties.limits.maxStorageBufferRange;
     description.memory_b = local_memory(device);
     if (properties.apiVersion >= VK_API_VERSION_1_2) {

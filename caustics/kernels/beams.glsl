@@ -76,8 +76,37 @@ struct BeamEdge {
     real2 travel;
 };
 
-// Four numbers of an edge, linear in (r_x, r_y, down), with the V of the beam's mean travel: at.V and at x V, and how the
-// edge leaves the mean, (travel - mean).V and (travel - mean) x V.
+KERNEL BeamEdge beam_edge(real3 corner, real2 travel) {
+    BeamEdge e;
+    e.at = real2(corner.x + corner.z * travel.x, corner.y + corner.z * travel.y);
+    e.travel = travel;
+    return e;
+}
+
+// V of a beam's mean travel.
+KERNEL real2 speed_past(real2 mean, real3 r) {
+    return real2(r.z * mean.x - r.x, r.z * mean.y - r.y);
+}
+
+// Four numbers of an edge: at.V and at x V, and how the edge leaves the mean, off.V and off x V with
+// off = travel - mean.
+struct EdgeNumbers {
+    real along;
+    real across;
+    real leads;
+    real warps;
+};
+
+KERNEL EdgeNumbers edge_numbers(real2 at, real2 off, real2 v) {
+    EdgeNumbers n;
+    n.along = at.x * v.x + at.y * v.y;
+    n.across = at.x * v.y - at.y * v.x;
+    n.leads = off.x * v.x + off.y * v.y;
+    n.warps = off.x * v.y - off.y * v.x;
+    return n;
+}
+
+// The same as they depend on the ray: linear, dot(form, r).
 struct EdgeForms {
     real3 along;
     real3 across;
@@ -87,20 +116,21 @@ struct EdgeForms {
 
 KERNEL EdgeForms edge_forms(BeamEdge e, real2 mean) {
     real2 off = real2(e.travel.x - mean.x, e.travel.y - mean.y);
+    EdgeNumbers x = edge_numbers(e.at, off, speed_past(mean, real3(real(1), real(0), real(0))));
+    EdgeNumbers y = edge_numbers(e.at, off, speed_past(mean, real3(real(0), real(1), real(0))));
+    EdgeNumbers down = edge_numbers(e.at, off, speed_past(mean, real3(real(0), real(0), real(1))));
     EdgeForms f;
-    f.along = real3(-e.at.x, -e.at.y, e.at.x * mean.x + e.at.y * mean.y);
-    f.across = real3(e.at.y, -e.at.x, e.at.x * mean.y - e.at.y * mean.x);
-    f.leads = real3(-off.x, -off.y, off.x * mean.x + off.y * mean.y);
-    f.warps = real3(off.y, -off.x, off.x * mean.y - off.y * mean.x);
+    f.along = real3(x.along, y.along, down.along);
+    f.across = real3(x.across, y.across, down.across);
+    f.leads = real3(x.leads, y.leads, down.leads);
+    f.warps = real3(x.warps, y.warps, down.warps);
     return f;
 }
 
-struct EdgeNumbers {
-    real along;
-    real across;
-    real leads;
-    real warps;
-};
+// |r| times the cosine between the light's way, `path` metres per metre of descent, and the way to the eye.
+KERNEL real towards_eye(real2 mean, real path, real3 r) {
+    return -(mean.x * r.x + mean.y * r.y + r.z) / path;
+}
 
 // The section's corner on an edge: when the ray is abreast of it (the paper's plane section), and how far it then lies
 // beside the ray, times |V|. The warp is followed where the ray is in the water, from `near` to `far`; where the ray runs
@@ -115,6 +145,25 @@ KERNEL SectionCorner section_corner(EdgeNumbers e, real inverse_speed2, real dow
     SectionCorner c;
     c.time = -(e.along + descent * e.leads) * inverse_speed2;
     c.across = e.across + descent * e.warps;
+    return c;
+}
+
+// The corners of a cell's section, on its edges counted around it: beam 0 has corners 0, 1, 2, beam 1 has 0, 2, 3.
+struct CellCorners {
+    SectionCorner c0;
+    SectionCorner c1;
+    SectionCorner c2;
+    SectionCorner c3;
+};
+
+KERNEL CellCorners cell_corners(EdgeNumbers e0, EdgeNumbers e1, EdgeNumbers e2, EdgeNumbers e3, real2 v, real down,
+                                real near, real far) {
+    real inverse = real(1) / max(v.x * v.x + v.y * v.y, real(1e-12));
+    CellCorners c;
+    c.c0 = section_corner(e0, inverse, down, near, far);
+    c.c1 = section_corner(e1, inverse, down, near, far);
+    c.c2 = section_corner(e2, inverse, down, near, far);
+    c.c3 = section_corner(e3, inverse, down, near, far);
     return c;
 }
 
@@ -197,4 +246,80 @@ KERNEL real part_within(real begin, real end, real near, real far) {
     real hair = real(1e-6) * (real(1) + abs(begin));
     real within = min(end + hair, far) - max(begin - hair, near);
     return clamp(within / (end - begin + real(2) * hair), real(0), real(1));
+}
+
+// How far a chord reaches beyond the part of the ray that is looked at, or above the depth `lowest_lid` below the eye;
+// above 0 where it is to be cut.
+KERNEL real chord_excess(BeamChord c, real near, real far, real down, real lowest_lid) {
+    real shallow = min(down * c.begin, down * c.end);
+    return c.density * max(max(near - c.begin, c.end - far), lowest_lid - shallow);
+}
+
+// The same of a beam that ends on uneven ground: how far below the depth `highest_end`.
+KERNEL real chord_excess_below(BeamChord c, real down, real highest_end) {
+    return c.density * (max(down * c.begin, down * c.end) - highest_end);
+}
+
+// A plane that bounds a beam, through the three corners of one of its ends. A ray goes towards its outside at
+// dot(outward, r); the eye is `distance` metres inside of it.
+struct BeamLid {
+    real3 outward;
+    real distance;
+};
+
+// On the surface: corners relative to the eye, z up, counter-clockwise as seen from above.
+KERNEL BeamLid upper_lid(real3 a, real3 b, real3 c) {
+    real3 normal = unit(cross(b - a, c - a));
+    BeamLid lid;
+    lid.outward = real3(normal.x, normal.y, -normal.z);
+    lid.distance = dot(normal, a);
+    return lid;
+}
+
+// On the ground, either way round, for beams fold. Where the corners are in line, or stand on each other, the plane is
+// level.
+KERNEL BeamLid lower_lid(real3 a, real3 b, real3 c) {
+    real3 normal = cross(b - a, c - a);
+    bool clear = normal.z * normal.z > real(0.01) * dot(normal, normal);
+    real middle = (a.z + b.z + c.z) * (real(1) / real(3));
+    real3 downward = clear ? unit(normal.z > real(0) ? -normal : normal) : real3(real(0), real(0), real(-1));
+    BeamLid lid;
+    lid.outward = real3(downward.x, downward.y, -downward.z);
+    lid.distance = clear ? dot(downward, a) : -middle;
+    return lid;
+}
+
+// The part of a ray, t from `near` to `far`, inside a lid that it approaches at `speed`.
+KERNEL WaterSpan within_lid(WaterSpan s, real speed, real distance) {
+    real cover = distance / (abs(speed) < real(1e-12) ? real(1e-12) : speed);
+    WaterSpan w;
+    w.near = speed < real(0) ? max(s.near, cover) : s.near;
+    w.far = speed < real(0) ? s.far : min(s.far, cover);
+    return w;
+}
+
+// What of a chord lies in that part.
+KERNEL BeamChord cut_chord(BeamChord c, WaterSpan s) {
+    BeamChord kept;
+    kept.density = c.density * part_within(c.begin, c.end, s.near, s.far);
+    kept.begin = clamp(c.begin, s.near, s.far);
+    kept.end = clamp(c.end, s.near, s.far);
+    return kept;
+}
+
+// Part k of `parts` of a chord that are equally long.
+KERNEL WaterSpan chord_part(BeamChord whole, int k, int parts) {
+    real step = (whole.end - whole.begin) / real(parts);
+    WaterSpan s;
+    s.near = whole.begin + real(k) * step;
+    s.far = k + 1 == parts ? whole.end : whole.begin + real(k + 1) * step;
+    return s;
+}
+
+// What reaches the eye of the light that a chord scatters towards it, from the chord's middle. `density` holds flux and
+// phase function.
+KERNEL real light_from_chord(BeamChord c, real extinction, real path, real above, real down, real near, real length) {
+    real middle = real(0.5) * (c.begin + c.end);
+    real left = beam_attenuation(extinction, path, above, down, near, length, middle);
+    return c.density > real(0) ? length * c.density * left : real(0);
 }

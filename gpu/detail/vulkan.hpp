@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -17,6 +18,7 @@
 #include "gpu/device.hpp"
 #include "gpu/error.hpp"
 #include "gpu/pass.hpp"
+#include "gpu/raster.hpp"
 
 namespace waterlight::gpu {
 
@@ -87,14 +89,48 @@ struct Buffer::Impl {
     bool staged() const { return *staging.handle != vk::Buffer(); }
 };
 
+/// The storage buffers of a pass at set 0, bindings 0, 1, ..., and its block of push constants.
+struct Binding {
+    std::uint32_t buffers = 0;
+    std::uint32_t push_bytes = 0;
+    vk::ShaderStageFlags stages;
+    vk::raii::DescriptorSetLayout set_layout{nullptr};
+    vk::raii::PipelineLayout layout{nullptr};
+    vk::raii::DescriptorPool pool{nullptr};
+    vk::raii::DescriptorSet set{nullptr};
+
+    Binding() = default;
+    Binding(const vk::raii::Device& device, std::uint32_t buffer_count, std::uint32_t bytes_pushed,
+            vk::ShaderStageFlags used_in);
+    void bind(const vk::raii::Device& device, std::initializer_list<const Buffer*> all) const;
+    void use(const vk::raii::CommandBuffer& list, vk::PipelineBindPoint point,
+             std::span<const std::byte> parameters) const;
+};
+
 struct Pass::Impl {
     std::shared_ptr<Context> context;
     PassSettings settings;
-    vk::raii::DescriptorSetLayout set_layout{nullptr};
-    vk::raii::PipelineLayout layout{nullptr};
+    Binding binding;
     vk::raii::Pipeline pipeline{nullptr};
-    vk::raii::DescriptorPool pool{nullptr};
-    vk::raii::DescriptorSet set{nullptr};
+};
+
+constexpr vk::Format target_format = vk::Format::eR32Sfloat;
+
+struct Target::Impl {
+    static constexpr vk::ImageSubresourceRange whole{vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1};
+    std::shared_ptr<Context> context;
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    vk::raii::DeviceMemory memory{nullptr};  // freed after the image that lies in it
+    vk::raii::Image image{nullptr};          // between entries of a list ready to be drawn into
+    vk::raii::ImageView view{nullptr};
+};
+
+struct Raster::Impl {
+    std::shared_ptr<Context> context;
+    std::string name;
+    Binding binding;
+    vk::raii::Pipeline pipeline{nullptr};
 };
 
 }  // namespace waterlight::gpu

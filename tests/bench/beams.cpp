@@ -5,8 +5,8 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include "caustics/beam_image.hpp"
-#include "caustics/beam_volume.hpp"
+#include <map>
+
 #include "tests/support/surfaces.hpp"
 
 namespace waterlight::bench {
@@ -33,7 +33,13 @@ BeamSettings beam_settings(int n) {
 /// The pool fills some two fifths of the picture.
 Camera beside_the_pool() { return {{1.5, -3.2, -.8}, {1.5, 1.5, -1}, 50, {900, 600}}; }
 
-void beams_image(benchmark::State& state, int n, int reduction) {
+/// Mean time of the back-end's own stages, where it keeps them.
+void count_stages(benchmark::State& state, const std::map<std::string, double>& seconds) {
+    for (const auto& [stage, s] : seconds)
+        state.counters[stage + "_ms"] = benchmark::Counter(1e3 * s, benchmark::Counter::kAvgIterations);
+}
+
+void beams_image(benchmark::State& state, BeamRenderer& renderer, int n, int reduction) {
     const Surface surface = pool();
     const BeamSettings settings = beam_settings(n);
     BeamImageSettings picture;
@@ -43,14 +49,17 @@ void beams_image(benchmark::State& state, int n, int reduction) {
     Beams beams;
     BeamImage image;
     make_beams(settings, surface, beams);
-    draw_beams(picture, beams, image);
+    renderer.draw(picture, beams, image);
+    std::map<std::string, double> stages;
     for (auto _ : state) {
         make_beams(settings, surface, beams);
-        draw_beams(picture, beams, image);
+        renderer.draw(picture, beams, image);
+        for (const StageTime& t : renderer.stage_times()) stages[t.stage] += t.seconds;
     }
+    count_stages(state, stages);
     state.counters["beams"] = static_cast<double>(image.counts.beams);
     state.counters["covered_pixels"] = static_cast<double>(image.counts.covered_pixels);
-    state.counters["sections"] = static_cast<double>(image.counts.sections);
+    if (image.counts.sections > 0) state.counters["sections"] = static_cast<double>(image.counts.sections);
 }
 
 void make_only(benchmark::State& state, int n) {
@@ -59,30 +68,43 @@ void make_only(benchmark::State& state, int n) {
     for (auto _ : state) make_beams(beam_settings(n), surface, beams);
 }
 
-void beams_volume(benchmark::State& state, glm::ivec3 cells) {
+void beams_volume(benchmark::State& state, BeamRenderer& renderer, glm::ivec3 cells) {
     Beams beams;
     make_beams(beam_settings(128), pool(), beams);
     BeamVolume volume;
-    fill_volume(beams, cells, volume);
-    for (auto _ : state) fill_volume(beams, cells, volume);
+    renderer.fill(beams, cells, volume);
+    std::map<std::string, double> stages;
+    for (auto _ : state) {
+        renderer.fill(beams, cells, volume);
+        for (const StageTime& t : renderer.stage_times()) stages[t.stage] += t.seconds;
+    }
+    count_stages(state, stages);
     state.counters["cells_per_s"] =
         benchmark::Counter(double(cells.x) * cells.y * cells.z, benchmark::Counter::kIsIterationInvariantRate);
 }
 
+template <class Run>
+void add(const std::string& name, Run run) {
+    benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+
 }  // namespace
 
-void register_beams() {
-    const auto add = [](const std::string& name, auto run) {
-        benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMillisecond)->UseRealTime();
-    };
-    for (const int n : {32, 64, 128}) {
-        add(fmt::format("beams_image/cpu/{}/900x600", n), [n](benchmark::State& s) { beams_image(s, n, 1); });
+void register_beams(const std::string& backend, const MakeRenderer& make) {
+    for (const int n : {32, 64, 128})
+        add(fmt::format("beams_image/{}/{}/900x600", backend, n),
+            [n, make](benchmark::State& s) { beams_image(s, *make(), n, 1); });
+    add(fmt::format("beams_volume/{}/128x128x128", backend), [make](benchmark::State& s) {
+        beams_volume(s, *make(), {128, 128, 128});
+    });
+}
+
+void register_beam_parts() {
+    for (const int n : {32, 64, 128})
         add(fmt::format("beams_make/cpu/{}", n), [n](benchmark::State& s) { make_only(s, n); });
-    }
     for (const int reduction : {2, 4})
         add(fmt::format("beams_image_reduced/cpu/128/900x600/{}", reduction),
-            [reduction](benchmark::State& s) { beams_image(s, 128, reduction); });
-    add("beams_volume/cpu/128x128x128", [](benchmark::State& s) { beams_volume(s, {128, 128, 128}); });
+            [reduction](benchmark::State& s) { beams_image(s, *make_beam_renderer_cpu(), 128, reduction); });
 }
 
 }  // namespace waterlight::bench

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "caustics/beam_renderer_vulkan.hpp"
 #include "caustics/floor_vulkan.hpp"
 #include "gpu/error.hpp"
 #include "sim/shallow_water_vulkan.hpp"
@@ -25,6 +26,7 @@ void register_vulkan() {
         bench::register_shallow(
             "vulkan", [context](const ShallowWaterSettings& s) { return make_shallow_water_vulkan(s, context); },
             frames);
+        bench::register_beams("vulkan", [context] { return make_beam_renderer_vulkan(context); });
     } catch (const gpu::Error& error) {
         std::fprintf(stderr, "no vulkan cases: %s\n", error.what());
     }
@@ -35,7 +37,8 @@ void register_vulkan() {
 int main(int argc, char** argv) {
     bench::register_floor("cpu", make_floor_cpu);
     bench::register_shallow("cpu", make_shallow_water<float>);
-    bench::register_beams();
+    bench::register_beams("cpu", make_beam_renderer_cpu);
+    bench::register_beam_parts();
     register_vulkan();
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;

@@ -68,7 +68,7 @@ bool has_camera(const Shipped& shipped) { return read_scenario(path_of(shipped))
 /// Whether there is something that Vulkan computes.
 bool has_vulkan_part(const Shipped& shipped) {
     const Scenario scenario = read_scenario(path_of(shipped));
-    return scenario.floor || has_vulkan_model(scenario);
+    return scenario.floor || scenario.beams || has_vulkan_model(scenario);
 }
 
 bool has_vulkan() { return gpu::survey().chosen.has_value(); }
@@ -92,12 +92,12 @@ const std::vector<Shipped> all{{"pool", "2.0"},
                                {"tidal_pool", "2.0", OnSoftware::opening},
                                {"surf_zone", "4.0", OnSoftware::opening},
                                {"shafts", "1.0"},
-                               {"pool_side", "2.0"},
-                               {"open_sea_below", "2.0"},
+                               {"pool_side", "2.0", OnSoftware::none},
+                               {"open_sea_below", "2.0", OnSoftware::none},
                                {"harbour", "1.0"},
-                               {"reef", "1.0"},
+                               {"reef", "1.0", OnSoftware::none},
                                {"flashes", "2.0"},
-                               {"mirror", "1.0"}};
+                               {"mirror", "1.0", OnSoftware::none}};
 
 class ShippedScenario : public ::testing::TestWithParam<Shipped> {
   protected:
