@@ -14,6 +14,7 @@ enum class Verdict { passed, failed, updated, skipped, error };
 struct CheckOutcome {
     int check = 0;  ///< its index in the scenario
     std::string quantity;
+    std::string name;      ///< the quantity with its time and its reference
     std::string expected;  ///< "= 850", "< 0.001"
     double value = std::numeric_limits<double>::quiet_NaN();
     double tolerance = 0;

@@ -38,7 +38,8 @@ void add_folder(const fs::path& folder, std::vector<fs::path>& files) {
     std::vector<fs::path> found;
     for (auto entry = fs::recursive_directory_iterator(folder, error); !error && entry != fs::end(entry);
          entry.increment(error))
-        if (entry->path().extension() == ".toml" && states_checks(entry->path())) found.push_back(entry->path());
+        if (entry->path().extension() == ".toml" && states_checks(entry->path()))
+            found.push_back(entry->path().lexically_normal());
     if (error) throw WorldError(fmt::format("cannot read {}: {}", folder.string(), error.message()));
     std::sort(found.begin(), found.end());
     files.insert(files.end(), found.begin(), found.end());

@@ -134,6 +134,7 @@ class ItemRunner {
         CheckOutcome outcome;
         outcome.check = i;
         outcome.quantity = check(i).quantity;
+        outcome.name = waterlight::name_of(check(i));
         outcome.place = item_.scenario->origin.place(fmt::format("check[{}]", i));
         outcome.wall_s = spent_s(i);
         const std::vector<CheckResult> stated = judge({check(i)}, std::vector<double>{0});

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "app/judge.hpp"
 #include "app/process.hpp"
 
 namespace waterlight {
@@ -20,10 +19,6 @@ std::string within(const CheckOutcome& outcome) {
     return outcome.tolerance > 0 ? fmt::format(" within {:.3g}", outcome.tolerance) : "";
 }
 
-std::string name_in(const CheckItem& item, const CheckOutcome& outcome) {
-    return name_of(item.scenario->checks[static_cast<std::size_t>(outcome.check)]);
-}
-
 using Row = std::vector<std::string>;
 
 std::vector<Row> rows_of(const std::vector<CheckItem>& items, const std::vector<ItemOutcome>& outcomes) {
@@ -32,8 +27,8 @@ std::vector<Row> rows_of(const std::vector<CheckItem>& items, const std::vector<
         if (outcomes[i].checks.empty())
             rows.push_back({items[i].name, "", "", "", items[i].wrong.empty() ? "skipped" : "WRONG"});
         for (const CheckOutcome& c : outcomes[i].checks)
-            rows.push_back({items[i].name, name_in(items[i], c), fmt::format("{:.6g}", c.value), c.expected + within(c),
-                            word_of(c.verdict)});
+            rows.push_back(
+                {items[i].name, c.name, fmt::format("{:.6g}", c.value), c.expected + within(c), word_of(c.verdict)});
     }
     return rows;
 }
@@ -57,17 +52,17 @@ std::string counts_text(const std::vector<CheckItem>& items, const std::vector<I
     add(count[2], "updated");
     add(count[3], "skipped");
     add(count[4], "without a value");
-    add(scenarios_skipped, "scenarios skipped");
-    add(wrong, "scenarios wrong");
+    add(scenarios_skipped, scenarios_skipped == 1 ? "scenario skipped" : "scenarios skipped");
+    add(wrong, wrong == 1 ? "scenario wrong" : "scenarios wrong");
     return text;
 }
 
 }  // namespace
 
 std::string failure_text(const CheckOutcome& outcome) {
-    if (outcome.verdict == Verdict::error) return fmt::format("{}: {}", outcome.quantity, outcome.detail);
+    if (outcome.verdict == Verdict::error) return fmt::format("{}: {}", outcome.name, outcome.detail);
     const std::string detail = outcome.detail.empty() ? "" : fmt::format(" ({})", outcome.detail);
-    return fmt::format("{}: value {:.9g}, expected {}{}{}", outcome.quantity, outcome.value, outcome.expected,
+    return fmt::format("{}: value {:.9g}, expected {}{}{}", outcome.name, outcome.value, outcome.expected,
                        within(outcome), detail);
 }
 

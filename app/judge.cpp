@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <filesystem>
 
 namespace waterlight {
 
@@ -68,7 +69,8 @@ std::string time_of(const Check& check) {
 }  // namespace
 
 std::string name_of(const Check& check) {
-    const std::string reference = check.reference ? fmt::format(" against {}", *check.reference) : "";
+    const std::string file = std::filesystem::path(check.reference.value_or("")).filename().string();
+    const std::string reference = check.reference ? fmt::format(" against {}", file) : "";
     return check.quantity + reference + time_of(check);
 }
 

@@ -48,7 +48,7 @@ struct Case {
     const CheckOutcome& outcome;
     const CheckOptions& options;
 
-    std::string name() const { return fmt::format("{} {}", outcome.quantity, outcome.expected); }
+    std::string name() const { return fmt::format("{} {}", outcome.name, outcome.expected); }
     std::string body() const {
         const std::string message = escaped(failure_text(outcome));
         if (outcome.verdict == Verdict::passed || outcome.verdict == Verdict::updated) return {};

@@ -168,10 +168,17 @@ struct CheckOf {
             reject_at(".agrees", fmt::format("it beside a norm of {}", of->field),
                       "surface.elevation, surface.depth or floor.irradiance");
         if (is_norm && check.window_s) reject_at(".window_s", "it beside a norm of a difference", "at_s, or the end");
+        if (!is_of_both_backends())
+            reject_at(".agrees", fmt::format("it beside \"{}\", which the CPU alone computes", check.quantity),
+                      "numbers of the floor's map by method two-pass, or of the model shallow-water");
+    }
+
+    /// Whether a Vulkan device computes what the quantity tells of.
+    bool is_of_both_backends() const {
         const bool truth = s.floor && s.floor->method == FloorMethod::truth;
-        if (truth || (!s.floor && !has_vulkan_model(s)))
-            reject_at(".agrees", "it beside nothing that both back-ends compute",
-                      "a floor map of method two-pass, or the model shallow-water");
+        const bool of_light = check.quantity.starts_with("floor.") || check.quantity.ends_with("irradiance");
+        if (truth) return false;
+        return has_vulkan_model(s) || (of_light && s.floor && !check.quantity.starts_with("volume."));
     }
 };
 
