@@ -28,9 +28,7 @@ void add(FloorLedger& sum, const FloorLedger& l) {
 Recorder::Recorder(const Scenario& scenario)
     : scenario_(scenario), conserved_from_s_(conserves_energy_from_s(scenario)), conserved_j_(none) {
     record_.waves.energy_drift = none;
-    const DomainSection& domain = scenario.domain;
-    if (resolve_model(scenario).model != ModelChoice::shallow_water)
-        record_.waves.still_m3 = domain.size_m.x * domain.size_m.y * domain.depth_m;
+    record_.waves.still_m3 = still_volume_m3(scenario);
 }
 
 void Recorder::add_frame(double time_s) {

@@ -69,6 +69,11 @@ double conserves_energy_from_s(const Scenario& scenario) {
     return from;
 }
 
+double still_volume_m3(const Scenario& scenario) {
+    const DomainSection& d = scenario.domain;
+    return resolve_model(scenario).model == ModelChoice::shallow_water ? 0 : d.size_m.x * d.size_m.y * d.depth_m;
+}
+
 Grid grid_of(const Scenario& scenario) {
     const DomainSection& d = scenario.domain;
     return make_grid(d.cells.x, d.cells.y, d.size_m.x, d.size_m.y);
