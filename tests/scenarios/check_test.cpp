@@ -206,9 +206,16 @@ TEST_F(Check, APathThatLeadsNowhereIsRefused) {
 
 TEST_F(Check, ARunThatFailsLeavesItsChecksWithoutAValue) {
     const fs::path file = write("a.toml", standing + holds);
-    write("taken", "a file where a folder must be");
-    const Outcome outcome = run({file.string(), "--out", path("taken")});
+    const Outcome outcome = run({file.string()}, "ulimit -f 0; ");  // no byte can be written to a file
     EXPECT_EQ(outcome.exit, 3) << outcome.output;
+    EXPECT_TRUE(has(outcome.output, "ERROR " + file.string())) << outcome.output;
+    EXPECT_TRUE(has(outcome.output, "1 check of 1 scenario: 0 passed, 1 without a value")) << outcome.output;
+}
+
+TEST_F(Check, AFolderThatCannotBeMadeIsAFailureOfTheWorld) {
+    const fs::path file = write("a.toml", standing + holds);
+    write("taken", "a file where a folder must be");
+    EXPECT_EQ(run({file.string(), "--out", path("taken")}).exit, 3);
 }
 
 TEST_F(Check, JunitIsReadByOthersWhateverTheNamesContain) {
