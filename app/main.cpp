@@ -10,6 +10,7 @@
 #include <map>
 #include <new>
 
+#include "app/check.hpp"
 #include "app/devices.hpp"
 #include "app/run.hpp"
 #include "app/version.hpp"
@@ -25,6 +26,7 @@ enum ExitCode { done = 0, check_failed = 1, wrong_input = 2, world_failed = 3 };
 
 struct Arguments {
     RunOptions run;
+    CheckOptions check;
     std::string backend = "auto";
     int threads = 0;
     bool json = false;
@@ -56,6 +58,38 @@ void add_run(CLI::App& program, Arguments& args) {
     run->add_flag("--quiet", args.run.quiet, "Say nothing but errors and failed checks");
 }
 
+void add_check(CLI::App& program, Arguments& args) {
+    CLI::App* check = program.add_subcommand("check", "Run scenarios as tests: those that state [[check]]");
+    check->footer(
+        "Example:\n  waterlight check scenarios --filter 'dam_break*/waves.*' --junit checks.xml\n\n"
+        "Exit: 0 all passed; 1 a check failed; 2 a scenario or the command line is wrong; 3 a run failed.");
+    check->add_option("path", args.check.paths, "Scenarios, and folders to search for them")
+        ->required()
+        ->type_name("PATH");
+    check->add_option("--filter", args.check.filter, "Only checks whose SCENARIO/QUANTITY matches")->type_name("GLOB");
+    check->add_option("--junit", args.check.junit, "Write the outcome as JUnit XML")->type_name("FILE");
+    check->add_option("--jobs", args.check.jobs, "Scenarios at once, memory allowing; default one for each thread")
+        ->check(CLI::Range(1, 4096))
+        ->type_name("N");
+    check->add_flag("--update", args.check.update,
+                    "Where a value that equals expects is not met, show and write the value found");
+    check->add_option("--out", args.check.out, "Keep what the runs write below this folder, pictures and fields too")
+        ->type_name("DIR");
+    check->add_option("--set", args.check.overrides, "Another value for a key of every scenario; may be repeated")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->allow_extra_args(false)
+        ->take_all()
+        ->delimiter('\0');
+    check->add_option("--backend", args.check.backend, "Where to compute: auto, cpu or vulkan")
+        ->check(CLI::IsMember({"auto", "cpu", "vulkan"}).description(""))
+        ->type_name("BACKEND");
+    check->add_option("--threads", args.threads, "Threads of the CPU, of all runs together; default all")
+        ->check(CLI::Range(1, 4096))
+        ->type_name("N");
+    check->add_flag("--quiet", args.check.quiet, "No progress");
+}
+
 void add_schema(CLI::App& program, Arguments& args) {
     CLI::App* schema = program.add_subcommand("schema", "Print every key that a scenario may have");
     schema->footer("Example:\n  waterlight schema --json");
@@ -75,6 +109,11 @@ int execute(const CLI::App& program, Arguments& args) {
         fmt::print("{}", devices_text());
         return done;
     }
+    if (program.got_subcommand("check")) {
+        args.check.threads = args.threads > 0 ? args.threads : omp_get_max_threads();
+        constexpr ExitCode exits[] = {done, check_failed, wrong_input, world_failed};
+        return exits[static_cast<int>(run_checks(args.check))];
+    }
     if (args.threads > 0) omp_set_num_threads(args.threads);
     return run_scenario(args.run) ? done : check_failed;
 }
@@ -87,7 +126,9 @@ int parse_and_execute(int argc, char** argv) {
         "Exit: 0 done; 1 a check failed; 2 the scenario or the command line is wrong; 3 the world failed.");
     program.set_version_flag("--version", std::string("waterlight ") + version);
     program.require_subcommand(1);
+    args.check.program = argv[0];
     add_run(program, args);
+    add_check(program, args);
     add_schema(program, args);
     program.add_subcommand("devices", "List the devices that can compute, and why one is chosen")
         ->footer("Example:\n  waterlight devices");

@@ -1,4 +1,4 @@
-// The numbers of a run by name, and the judgement of checks about them.
+// The numbers of a run by name.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,8 +13,23 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-CheckResult bound(const Check& check, double value, const char* sign, double limit, bool pass) {
-    return {check.quantity, value, fmt::format("{} {}", sign, limit), limit, 0, pass};
+void add_ledger(const FloorLedger& l, std::map<std::string, double>& q) {
+    q["floor.ledger.incident"] = l.incident_w;
+    q["floor.ledger.entered"] = l.entered_w;
+    q["floor.ledger.reflected"] = l.reflected_w;
+    q["floor.ledger.extinguished"] = l.extinguished_w;
+    q["floor.ledger.floor"] = l.floor_w;
+    q["floor.ledger.outside"] = l.outside_w;
+    q["floor.ledger.lost"] = l.lost_w;
+}
+
+void add_ledger(const BeamLedger& l, std::map<std::string, double>& q) {
+    q["beams.ledger.incident"] = l.incident_w;
+    q["beams.ledger.reflected"] = l.reflected_w;
+    q["beams.ledger.extinguished"] = l.extinguished_w;
+    q["beams.ledger.floor"] = l.floor_w;
+    q["beams.ledger.outside"] = l.outside_w;
+    q["beams.ledger.discarded"] = l.discarded_w;
 }
 
 void add_slices(const std::vector<SliceStatistics>& slices, std::map<std::string, double>& q) {
@@ -32,6 +47,7 @@ void add_slices(const std::vector<SliceStatistics>& slices, std::map<std::string
 }
 
 void add_beams(const BeamRecord& beams, std::map<std::string, double>& q) {
+    add_ledger(beams.last_ledger, q);
     q["beams.ledger_closure"] = beams.closure;
     q["beams.discarded_fraction"] = beams.discarded_fraction;
     q["beams.reflected_fraction"] = beams.sum.incident_w > 0 ? beams.sum.reflected_w / beams.sum.incident_w : none;
@@ -68,6 +84,8 @@ std::map<std::string, double> quantities_of(const RunRecord& r) {
     q["waves.slope_variance"] = r.waves.last.slope_variance;
     q["waves.mass_drift"] = r.waves.mass_drift_m;
     q["waves.energy_drift"] = r.waves.energy_drift;
+    q["waves.volume"] = r.waves.still_m3 + r.waves.last.volume_m3;
+    q["waves.energy"] = r.waves.last.energy_j;
     if (r.sea) {
         const double carried = r.sea->significant_height_m();
         q["sea.significant_height"] = carried;
@@ -80,7 +98,6 @@ std::map<std::string, double> quantities_of(const RunRecord& r) {
         q["waves.volume_drift"] = s.volume_drift;
         q["waves.momentum_x"] = s.last.momentum_x_kg_m_s;
         q["waves.momentum_y"] = s.last.momentum_y_kg_m_s;
-        q["waves.energy"] = s.last.potential_j + s.last.kinetic_j;
         q["waves.inundated_area"] = s.inundated_m2;
         q["waves.max_runup"] = s.highest ? s.highest->ground_m : none;
         q["waves.min_depth"] = s.min_depth_m;
@@ -91,6 +108,7 @@ std::map<std::string, double> quantities_of(const RunRecord& r) {
         q["floor.min_irradiance"] = r.floor->last.min;
         q["floor.max_irradiance"] = r.floor->last.max;
         q["floor.cv"] = r.floor->last.cv;
+        add_ledger(r.floor->last_ledger, q);
         q["floor.lost_fraction"] = r.floor->lost_fraction;
         q["floor.ledger_closure"] = r.floor->closure;
         q["floor.truth_error"] = r.floor->truth_error;
@@ -108,22 +126,6 @@ std::map<std::string, double> quantities_of(const RunRecord& r) {
         if (!probe.series.time_s.empty()) add_flicker(prefix, probe, q);
     }
     return q;
-}
-
-std::vector<CheckResult> judge(const std::vector<Check>& checks, const std::map<std::string, double>& quantities) {
-    std::vector<CheckResult> results;
-    for (const Check& check : checks) {
-        const auto found = quantities.find(check.quantity);
-        const double value = found == quantities.end() ? none : found->second;
-        if (check.equals) {
-            const double tolerance = std::max(check.tolerance, check.relative_tolerance * std::abs(*check.equals));
-            results.push_back({check.quantity, value, fmt::format("= {}", *check.equals), *check.equals, tolerance,
-                               std::abs(value - *check.equals) <= tolerance});
-        }
-        if (check.below) results.push_back(bound(check, value, "<", *check.below, value < *check.below));
-        if (check.above) results.push_back(bound(check, value, ">", *check.above, value > *check.above));
-    }
-    return results;
 }
 
 }  // namespace waterlight

@@ -11,22 +11,7 @@ namespace waterlight {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-/// Time after which a source adds no energy.
-struct Silence {
-    double operator()(const Drop& drop) const { return drop.time_s; }
-    double operator()(const Rain& rain) const { return rain.end_s; }
-    double operator()(const Wavemaker&) const { return infinity; }
-};
-
-double silent_from(const Scenario& scenario) {
-    if (!is_closed(scenario) || scenario.waves.manning.value_or(0) > 0) return infinity;
-    double from = -infinity;
-    for (const Source& source : scenario.waves.sources) from = std::max(from, std::visit(Silence{}, source));
-    return from;
-}
 
 void add(FloorLedger& sum, const FloorLedger& l) {
     sum.incident_w += l.incident_w;
@@ -41,8 +26,9 @@ void add(FloorLedger& sum, const FloorLedger& l) {
 }  // namespace
 
 Recorder::Recorder(const Scenario& scenario)
-    : scenario_(scenario), conserved_from_s_(silent_from(scenario)), conserved_j_(none) {
+    : scenario_(scenario), conserved_from_s_(conserves_energy_from_s(scenario)), conserved_j_(none) {
     record_.waves.energy_drift = none;
+    record_.waves.still_m3 = still_volume_m3(scenario);
 }
 
 void Recorder::add_frame(double time_s) {

@@ -165,11 +165,12 @@ Json wall_json(const StageTimes& wall) {
 Json checks_json(const std::vector<CheckResult>& checks) {
     Json json = Json::array();
     for (const CheckResult& check : checks)
-        json.push_back({{"name", check.name},
+        json.push_back({{"check", check.check},
+                        {"name", check.name},
                         {"value", check.value},
                         {"expected", check.expected},
                         {"tolerance", check.tolerance},
-                        {"pass", check.pass}});
+                        {"pass", check.is_left ? Json() : Json(check.pass)}});
     return json;
 }
 

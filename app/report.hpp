@@ -11,6 +11,7 @@
 #include "app/beam_stage.hpp"
 #include "app/flashes.hpp"
 #include "app/floor_stage.hpp"
+#include "app/judge.hpp"
 #include "app/readings.hpp"
 #include "sim/runup.hpp"
 #include "sim/shallow_water.hpp"
@@ -59,6 +60,7 @@ struct FloorRecord {
 /// The waves over the run.
 struct WaveRecord {
     std::string model;
+    double still_m3 = 0;  ///< what the volume of the diagnostics leaves out: the water below level 0
     std::int64_t steps = 0;
     WaveDiagnostics first, last;
     double mass_drift_m = 0;
@@ -81,15 +83,6 @@ struct SeaRecord {
     double significant_height_m() const;  ///< carried by the grid
 };
 
-struct CheckResult {
-    std::string name;
-    double value = 0;
-    std::string expected;  ///< "= 850", "< 0.001"
-    double expected_value = 0;
-    double tolerance = 0;
-    bool pass = false;
-};
-
 struct RunRecord {
     int frames = 0;
     double simulated_s = 0;
@@ -104,9 +97,6 @@ struct RunRecord {
 
 /// Value by the names of scenarios/quantities.hpp; what the run does not have is not a number.
 std::map<std::string, double> quantities_of(const RunRecord& record);
-
-/// One result for each bound that a check states. A value that is not a number fails.
-std::vector<CheckResult> judge(const std::vector<Check>& checks, const std::map<std::string, double>& quantities);
 
 /// The report of DESIGN's contract.
 nlohmann::ordered_json report_json(const Scenario& scenario, const BackendDecision& backend, const RunRecord& record,

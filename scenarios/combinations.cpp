@@ -7,8 +7,6 @@
 #include <cmath>
 #include <set>
 
-#include "scenarios/nearest.hpp"
-#include "scenarios/quantities.hpp"
 #include "scenarios/reader.hpp"
 #include "scenarios/resolve.hpp"
 
@@ -138,41 +136,6 @@ void check_probes(const Scenario& s) {
         if (!names.insert(name).second)
             s.origin.reject(key + "name", fmt::format("\"{}\" twice", name), "one probe a name");
         require_inside(s, key + "at_m", s.probes[i].at_m);
-    }
-}
-
-/// The section that a quantity needs and the scenario lacks; else empty.
-std::string_view lacking_section(const Scenario& s, const std::string& quantity) {
-    const auto in_water = [&](const Probe& probe) {
-        return probe.depth_m && quantity.starts_with("probe." + probe.name + ".");
-    };
-    const bool of_floor = quantity.starts_with("floor.") || is_of_light(quantity);
-    if (quantity.starts_with("beams.")) return s.beams ? "" : "[caustics.beams]";
-    if (quantity.starts_with("volume.")) return s.beams && s.beams->volume_cells ? "" : "caustics.beams.volume_cells";
-    if (quantity.starts_with("camera.")) return s.camera ? "" : "[camera]";
-    if (std::any_of(s.probes.begin(), s.probes.end(), in_water)) return "";
-    if (quantity.ends_with(".scalar_irradiance")) return "depth_m of that probe";
-    return of_floor && !s.floor ? "[caustics.floor]" : "";
-}
-
-void check_checks(const Scenario& s) {
-    const std::vector<std::string> known = quantity_names(s);
-    for (std::size_t i = 0; i < s.checks.size(); ++i) {
-        const Check& check = s.checks[i];
-        const std::string key = fmt::format("check[{}]", i);
-        if (std::find(known.begin(), known.end(), check.quantity) == known.end())
-            reject(s.origin.place(key + ".quantity"), key + ".quantity", fmt::format("\"{}\"", check.quantity),
-                   "a number of the report or probe.NAME.elevation (`waterlight schema` lists them)",
-                   nearest_word(check.quantity, known));
-        const std::string_view section = lacking_section(s, check.quantity);
-        if (!section.empty())
-            s.origin.reject(key + ".quantity", fmt::format("\"{}\" without {}", check.quantity, section),
-                            fmt::format("{} in the scenario", section));
-        require_model(s, is_of_shallow_water(check.quantity), key + ".quantity", {ModelChoice::shallow_water});
-        if (!check.equals && !check.below && !check.above)
-            s.origin.reject(key, "no expectation", "equals with a tolerance, below, or above");
-        if (check.equals && check.tolerance == 0 && check.relative_tolerance == 0)
-            s.origin.reject(key + ".equals", "it without a tolerance", "tolerance or relative_tolerance > 0");
     }
 }
 

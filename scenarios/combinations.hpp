@@ -18,5 +18,7 @@ void check_sides(const Scenario& scenario);
 void check_shallow(const Scenario& scenario);
 /// Throws InputError where a camera or a probe in the water is stated without beams, or is not in the water.
 void check_beams(const Scenario& scenario);
+/// Throws InputError where a check names what the run does not have, or contradicts itself.
+void check_checks(const Scenario& scenario);
 
 }  // namespace waterlight

@@ -104,11 +104,6 @@ void check_initial(const Scenario& s) {
             s.origin.reject(s.domain.bathymetry ? "domain.bathymetry" : "domain.ground",
                             "it beside an exact waves.initial, which has a ground of its own", "one of both");
     }
-    const bool has_exact = !initial.empty() && std::holds_alternative<ExactStart>(initial.front());
-    for (std::size_t i = 0; i < s.checks.size() && !has_exact; ++i)
-        if (s.checks[i].quantity == "waves.exact_l1")
-            s.origin.reject(fmt::format("check[{}].quantity", i), "\"waves.exact_l1\" without an exact state",
-                            "an exact state in waves.initial");
 }
 
 }  // namespace

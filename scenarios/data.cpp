@@ -16,6 +16,15 @@ bool readable(const fs::path& path) {
     return fs::is_regular_file(path, ignored);
 }
 
+/// A file in a folder that is neither beside the scenario nor below $WATERLIGHT_DATA is data that this machine lacks;
+/// any other is a wrong path.
+bool is_lacking(const fs::path& beside, const char* data, const fs::path& relative) {
+    std::error_code ignored;
+    const bool has_folder = relative.is_relative() && relative.has_parent_path() && *relative.begin() != "..";
+    const bool is_here = fs::exists(beside.parent_path(), ignored);
+    return has_folder && !is_here && !(data && fs::exists(fs::path(data) / *relative.begin(), ignored));
+}
+
 /// `suffix` is what the file's name has beyond the path.
 fs::path locate(const Scenario& scenario, std::string_view key, const fs::path& relative, const std::string& suffix) {
     const auto with_suffix = [&](const fs::path& stem) { return fs::path(stem.string() + suffix); };
@@ -26,8 +35,13 @@ fs::path locate(const Scenario& scenario, std::string_view key, const fs::path& 
     const std::string below =
         data ? fmt::format("\"{}\"", with_suffix(fs::path(data) / relative).string())
              : fmt::format("\"{}\" below $WATERLIGHT_DATA, which is not set", relative.string() + suffix);
-    scenario.origin.reject(key, fmt::format("no file \"{}\" nor {}", with_suffix(beside).string(), below),
-                           "a path that exists beside the scenario or below $WATERLIGHT_DATA");
+    try {
+        scenario.origin.reject(key, fmt::format("no file \"{}\" nor {}", with_suffix(beside).string(), below),
+                               "a path that exists beside the scenario or below $WATERLIGHT_DATA");
+    } catch (const InputError& error) {
+        if (is_lacking(beside, data, relative)) throw MissingData(error.what());
+        throw;
+    }
 }
 
 }  // namespace
@@ -40,6 +54,9 @@ void find_data(Scenario& scenario) {
     for (std::size_t i = 0; i < waves.inflows.size(); ++i)
         if (std::optional<std::string>& file = waves.inflows[i].signal.file)
             file = locate(scenario, fmt::format("waves.inflow[{}].file", i), *file, "").string();
+    for (std::size_t i = 0; i < scenario.checks.size(); ++i)
+        if (std::optional<std::string>& file = scenario.checks[i].reference; file && *file != "exact")
+            file = locate(scenario, fmt::format("check[{}].reference", i), *file, "").string();
     if (!waves.buoy) return;
     const fs::path stem = waves.buoy->stem;
     for (const char* suffix : {".data_spec", ".swdir", ".swdir2", ".swr1", ".swr2"})

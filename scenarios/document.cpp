@@ -105,6 +105,12 @@ std::string schema_text() {
         text += fmt::format("  {:<44} {}{}\n", q.name, q.meaning, q.unit.empty() ? "" : fmt::format(" [{}]", q.unit));
     for (const Quantity& q : probe_quantities())
         text += fmt::format("  {:<44} {} [{}]\n", fmt::format("probe.NAME.{}", q.name), q.meaning, q.unit);
+    for (const Quantity& q : field_quantities())
+        text += fmt::format("  {:<44} {}{}\n", fmt::format("{}.STATISTIC", q.name), q.meaning,
+                            q.unit.empty() ? "" : fmt::format(" [{}]", q.unit));
+    for (const Quantity& q : field_statistics())
+        text += fmt::format("  {:<44} {}, of the difference where reference is stated\n",
+                            fmt::format("FIELD.{}", q.name), q.meaning);
     return text;
 }
 
@@ -125,6 +131,12 @@ std::string schema_json() {
     };
     for (const Quantity& q : run_quantities()) add("", q);
     for (const Quantity& q : probe_quantities()) add("probe.NAME.", q);
+    const auto list = [&](const char* name, std::span<const Quantity> quantities) {
+        for (const Quantity& q : quantities)
+            document[name].push_back({{"name", q.name}, {"unit", q.unit}, {"meaning", q.meaning}});
+    };
+    list("fields", field_quantities());
+    list("statistics", field_statistics());
     return document.dump(2) + "\n";
 }
 
@@ -151,6 +163,13 @@ std::string schema_markdown() {
     for (const Quantity& q : run_quantities()) text += fmt::format("| `{}` | {} | {} |\n", q.name, q.unit, q.meaning);
     for (const Quantity& q : probe_quantities())
         text += fmt::format("| `probe.NAME.{}` | {} | {} |\n", q.name, q.unit, q.meaning);
+    for (const Quantity& q : field_quantities())
+        text += fmt::format("| `{}.STATISTIC` | {} | {} |\n", q.name, q.unit, q.meaning);
+    text +=
+        "\n`STATISTIC` is one of these; of the difference where the check states a `reference`.\n\n| statistic | "
+        "meaning "
+        "|\n|---|---|\n";
+    for (const Quantity& q : field_statistics()) text += fmt::format("| `{}` | {} |\n", q.name, q.meaning);
     return text;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "scenarios/check.hpp"
 #include "scenarios/schema.hpp"
 
 namespace waterlight {
@@ -59,6 +60,10 @@ std::string allowed(const Key& key, const Target& target) {
                    [&](glm::ivec2*) { return with_range("two integers, each", key.range); },
                    [](glm::dvec3*) { return std::string("three numbers"); },
                    [&](std::optional<glm::ivec3>*) { return with_range("three integers, each", key.range); },
+                   [](std::vector<std::string>*) { return std::string("list of texts"); },
+                   [](std::vector<Resolution>*) {
+                       return std::string("list of two values or more: numbers, or lists of as many whole numbers");
+                   },
                    [](const Choice& c) { return fmt::format("one of {}", fmt::join(c.names, ", ")); },
                    [](const Words& w) { return fmt::format("list of {}", fmt::join(w.names, ", ")); }},
         target);
@@ -83,6 +88,8 @@ std::string value_text(const Target& target) {
                    [](const std::optional<glm::ivec3>* v) {
                        return *v ? fmt::format("[{}, {}, {}]", (*v)->x, (*v)->y, (*v)->z) : std::string();
                    },
+                   [](const std::vector<std::string>* v) { return fmt::format("[{}]", fmt::join(*v, ", ")); },
+                   [](const std::vector<Resolution>*) { return std::string("[]"); },
                    [&](const Choice& c) { return quoted(std::string(c.names[static_cast<std::size_t>(c.selected)])); },
                    [](const Words& w) { return fmt::format("[{}]", fmt::join(*w.values, ", ")); }},
         target);

@@ -23,7 +23,10 @@ constexpr std::array of_run{
              "largest change of the water's volume over its volume at the start; closed sides"},
     Quantity{"waves.momentum_x", "kg m/s", "of the water"},
     Quantity{"waves.momentum_y", "kg m/s", "of the water"},
-    Quantity{"waves.energy", "J", "kinetic, and potential above that of water still at level 0"},
+    Quantity{"waves.volume", "m3", "of the water, its mass over its density"},
+    Quantity{"waves.energy", "J",
+             "kinetic, potential above that of water still at level 0, and of the surface's tension; not of the model "
+             "prescribed"},
     Quantity{"waves.inundated_area", "m2", "of ground that was dry at the start and came under water since"},
     Quantity{"waves.max_runup", "m", "height of the highest ground that ever was under water"},
     Quantity{"waves.min_depth", "m", "least depth of any cell over the frames; never below zero"},
@@ -53,29 +56,103 @@ constexpr std::array of_run{
     Quantity{"volume.max_flash_fraction", "", "largest part of any slice above 1.5 times its mean"},
     Quantity{"volume.max_flash_rate", "1/s",
              "largest rate of any slice at which a cell rises above 1.5 times its mean, from frame to frame"},
+    Quantity{"floor.ledger.incident", "W", "where the light on the water went, of one frame: all of it"},
+    Quantity{"floor.ledger.entered", "W", "through the sides"},
+    Quantity{"floor.ledger.reflected", "W", "at the surface"},
+    Quantity{"floor.ledger.extinguished", "W", "absorbed or scattered on the way down"},
+    Quantity{"floor.ledger.floor", "W", "on the map"},
+    Quantity{"floor.ledger.outside", "W", "beyond the map"},
+    Quantity{"floor.ledger.lost", "W", "beyond the window"},
+    Quantity{"beams.ledger.incident", "W", "the same of the beams' grid: all light on it"},
+    Quantity{"beams.ledger.reflected", "W", "at the surface"},
+    Quantity{"beams.ledger.extinguished", "W", "absorbed or scattered on the way down"},
+    Quantity{"beams.ledger.floor", "W", "on the floor"},
+    Quantity{"beams.ledger.outside", "W", "beyond the domain's sides"},
+    Quantity{"beams.ledger.discarded", "W", "on triangles that turn away from the sun"},
     Quantity{"camera.mean_radiance", "W/(m2 sr)", "mean over the picture"},
     Quantity{"camera.max_radiance", "W/(m2 sr)", "brightest pixel"},
 };
 
 constexpr std::array of_probe{
-    Quantity{"elevation", "m", "at the end"},
+    Quantity{"elevation", "m", "at the time of the value"},
     Quantity{"min_elevation", "m", "least over the rows of probes.csv"},
     Quantity{"max_elevation", "m", "greatest over the rows of probes.csv"},
     Quantity{"rms_elevation", "m", "root mean square over the rows of the second half of the run"},
     Quantity{"arrival_time", "s", "when the water came, or first rose by waves.wet_m; model shallow-water"},
-    Quantity{"irradiance", "W/m2", "downward on the floor below, or at the probe's depth, at the end"},
+    Quantity{"irradiance", "W/m2", "downward on the floor below, or at the probe's depth"},
     Quantity{"max_irradiance", "W/m2", "the same, greatest over the rows of probes.csv"},
     Quantity{"mean_irradiance", "W/m2", "the same, mean over time"},
     Quantity{"irradiance_cv", "", "its coefficient of variation in time: standard deviation / mean"},
     Quantity{"irradiance_skewness", "", "its skewness in time"},
     Quantity{"flash_rate", "1/s", "at which it rises above 1.5 times its mean over time"},
     Quantity{"longest_flash", "s", "that it stays above"},
-    Quantity{"scalar_irradiance", "W/m2", "at the probe's depth, at the end"},
+    Quantity{"scalar_irradiance", "W/m2", "at the probe's depth"},
+    Quantity{"significant_height", "m", "four standard deviations of the elevation over the rows of the window"},
+    Quantity{
+        "peak_period", "s",
+        "of the elevation's spectrum S over the rows of the window: integral of S^4 over that of f S^4 (Young 1995)"},
+};
+
+constexpr std::array fields{
+    Quantity{"surface.elevation", "m", "above still water; on dry ground that of the ground"},
+    Quantity{"surface.slope_x", "", "d elevation / dx"},
+    Quantity{"surface.slope_y", "", "d elevation / dy"},
+    Quantity{"surface.depth", "m", "of the water"},
+    Quantity{"surface.velocity_x", "m/s", "of the water; model shallow-water"},
+    Quantity{"surface.velocity_y", "m/s", "of the water; model shallow-water"},
+    Quantity{"floor.irradiance", "W/m2", "of the floor's map"},
+    Quantity{"volume.plane_irradiance", "W/m2", "downward in the water"},
+    Quantity{"volume.scalar_irradiance", "W/m2", "from all directions in the water"},
+    Quantity{"camera.radiance", "W/(m2 sr)", "of the picture"},
+};
+
+// In the unit of the field, the relative ones without.
+constexpr std::array statistics{
+    Quantity{"min", "", "least value"},
+    Quantity{"max", "", "greatest value"},
+    Quantity{"mean", "", "mean"},
+    Quantity{"rms", "", "root of the mean square"},
+    Quantity{"l1", "", "mean of the absolute value"},
+    Quantity{"l2", "", "root of the mean square"},
+    Quantity{"linf", "", "greatest absolute value"},
+    Quantity{"relative_l1", "", "l1 over that of the reference"},
+    Quantity{"relative_l2", "", "l2 over that of the reference"},
+    Quantity{"relative_linf", "", "linf over that of the reference"},
 };
 
 // What the model shallow-water alone has.
-constexpr std::array of_shallow_water{"waves.volume_drift",   "waves.momentum_x", "waves.momentum_y", "waves.energy",
-                                      "waves.inundated_area", "waves.max_runup",  "waves.min_depth",  "waves.exact_l1"};
+constexpr std::array of_shallow_water{"waves.volume_drift",   "waves.momentum_x",   "waves.momentum_y",
+                                      "waves.inundated_area", "waves.max_runup",    "waves.min_depth",
+                                      "waves.exact_l1",       "surface.velocity_x", "surface.velocity_y"};
+
+// What tells of the run so far, and not of one frame.
+constexpr std::array of_run_so_far{"simulated_s",
+                                   "waves.steps",
+                                   "waves.mass_drift",
+                                   "waves.energy_drift",
+                                   "waves.volume_drift",
+                                   "waves.inundated_area",
+                                   "waves.max_runup",
+                                   "waves.min_depth",
+                                   "sea.",
+                                   "floor.lost_fraction",
+                                   "floor.ledger_closure",
+                                   "beams.ledger_closure",
+                                   "beams.discarded_fraction",
+                                   "volume.flux_error",
+                                   "volume.mean_irradiance",
+                                   "volume.max_",
+                                   ".min_elevation",
+                                   ".max_elevation",
+                                   ".rms_elevation",
+                                   ".arrival_time",
+                                   ".max_irradiance"};
+
+bool is_probes(std::string_view quantity) { return quantity.starts_with("probe."); }
+
+bool is_named(std::string_view quantity, std::string_view part) {
+    return part.front() == '.' ? is_probes(quantity) && quantity.ends_with(part) : quantity.starts_with(part);
+}
 
 }  // namespace
 
@@ -86,12 +163,40 @@ bool is_of_light(std::string_view quantity) {
 }
 
 bool is_of_shallow_water(std::string_view quantity) {
-    return std::find(of_shallow_water.begin(), of_shallow_water.end(), quantity) != of_shallow_water.end() ||
-           quantity.ends_with(".arrival_time");
+    const auto is_this = [quantity](std::string_view name) { return is_named(quantity, name); };
+    return std::any_of(of_shallow_water.begin(), of_shallow_water.end(), is_this) ||
+           is_named(quantity, ".arrival_time");
 }
 
 std::span<const Quantity> run_quantities() { return of_run; }
 std::span<const Quantity> probe_quantities() { return of_probe; }
+std::span<const Quantity> field_quantities() { return fields; }
+std::span<const Quantity> field_statistics() { return statistics; }
+
+QuantityKind kind_of(std::string_view quantity) {
+    if (field_statistic(quantity)) return QuantityKind::of_field;
+    const bool is_spectral = is_named(quantity, ".significant_height") || is_named(quantity, ".peak_period");
+    if (is_spectral) return QuantityKind::of_series;
+    const auto is_this = [quantity](std::string_view name) { return is_named(quantity, name); };
+    const bool so_far = std::any_of(of_run_so_far.begin(), of_run_so_far.end(), is_this);
+    return so_far ? QuantityKind::of_run : QuantityKind::of_frame;
+}
+
+std::optional<FieldStatistic> field_statistic(std::string_view quantity) {
+    const std::size_t dot = std::min(quantity.rfind('.'), quantity.size());
+    const auto is = [](std::string_view name) { return [name](const Quantity& q) { return q.name == name; }; };
+    const std::string_view field = quantity.substr(0, dot),
+                           statistic = quantity.substr(std::min(dot + 1, quantity.size()));
+    if (std::none_of(fields.begin(), fields.end(), is(field))) return std::nullopt;
+    if (std::none_of(statistics.begin(), statistics.end(), is(statistic))) return std::nullopt;
+    return FieldStatistic{field, statistic};
+}
+
+bool is_written(std::string_view field) {
+    return field == "surface.elevation" || field == "surface.depth" || field == "floor.irradiance";
+}
+
+bool is_row_quantity(std::string_view quantity) { return is_named(quantity, ".elevation"); }
 
 std::vector<std::string> quantity_names(const Scenario& scenario) {
     std::vector<std::string> names;
@@ -99,6 +204,9 @@ std::vector<std::string> quantity_names(const Scenario& scenario) {
     for (const Probe& probe : scenario.probes)
         for (const Quantity& quantity : of_probe)
             names.push_back("probe." + probe.name + "." + std::string(quantity.name));
+    for (const Quantity& field : fields)
+        for (const Quantity& statistic : statistics)
+            names.push_back(std::string(field.name) + "." + std::string(statistic.name));
     return names;
 }
 

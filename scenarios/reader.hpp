@@ -23,8 +23,14 @@ Scenario parse_scenario(std::string_view text, const std::filesystem::path& file
 /// Throws InputError where keys that are right by themselves do not go together.
 void check_combinations(const Scenario& scenario);
 
+/// Measured data that a scenario needs is not on this machine: the file lies in a folder below $WATERLIGHT_DATA, and
+/// the folder is not there.
+struct MissingData : InputError {
+    using InputError::InputError;
+};
+
 /// Replaces the paths of data files by where they are: beside the scenario, else below $WATERLIGHT_DATA. Throws
-/// InputError naming both where there is none.
+/// InputError naming both where there is none, MissingData where the folder is not there either.
 void find_data(Scenario& scenario);
 
 }  // namespace waterlight

@@ -2,12 +2,22 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 
 namespace waterlight {
 
 namespace {
 
 bool states_a_formula(const WavesSection& waves) { return waves.slope || waves.file || waves.gerstner; }
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Time after which a source adds no energy.
+struct Silence {
+    double operator()(const Drop& drop) const { return drop.time_s; }
+    double operator()(const Rain& rain) const { return rain.end_s; }
+    double operator()(const Wavemaker&) const { return infinity; }
+};
 
 }  // namespace
 
@@ -50,6 +60,18 @@ bool is_closed(const Scenario& scenario) {
     const SideChoices sides = resolve_sides(scenario);
     const auto closed = [](SideChoice side) { return side == SideChoice::periodic || side == SideChoice::wall; };
     return closed(sides.west) && closed(sides.east) && closed(sides.south) && closed(sides.north);
+}
+
+double conserves_energy_from_s(const Scenario& scenario) {
+    if (!is_closed(scenario) || scenario.waves.manning.value_or(0) > 0) return infinity;
+    double from = -infinity;
+    for (const Source& source : scenario.waves.sources) from = std::max(from, std::visit(Silence{}, source));
+    return from;
+}
+
+double still_volume_m3(const Scenario& scenario) {
+    const DomainSection& d = scenario.domain;
+    return resolve_model(scenario).model == ModelChoice::shallow_water ? 0 : d.size_m.x * d.size_m.y * d.depth_m;
 }
 
 Grid grid_of(const Scenario& scenario) {

@@ -26,6 +26,10 @@ SideChoices resolve_sides(const Scenario& scenario);
 Boundary resolve_boundary(const Scenario& scenario);
 /// Whether neither waves nor water pass a side.
 bool is_closed(const Scenario& scenario);
+/// Time (s) after which energy neither comes in nor goes out; infinite where it always may.
+double conserves_energy_from_s(const Scenario& scenario);
+/// What the volume of WaveDiagnostics leaves out (m3): the water below level 0, but for the model shallow-water.
+double still_volume_m3(const Scenario& scenario);
 Grid grid_of(const Scenario& scenario);
 /// Of the floor's map. The scenario has one.
 FloorSettings floor_settings(const Scenario& scenario);

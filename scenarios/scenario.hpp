@@ -12,6 +12,7 @@
 #include "caustics/floor.hpp"
 #include "caustics/light.hpp"
 #include "export/vti.hpp"
+#include "scenarios/check.hpp"
 #include "scenarios/inflow.hpp"
 #include "scenarios/origin.hpp"
 #include "sim/bathymetry.hpp"
@@ -99,7 +100,7 @@ struct CameraSection {
     Camera camera;
     int samples = 1;
     int reduction = 1;
-    std::optional<double> range_m;       ///< none: chosen by beam_image_settings()
+    std::optional<double> range_m;           ///< none: chosen by beam_image_settings()
     std::optional<double> radiance_max;      ///< of the pictures, W/(m2 sr); none: of each frame
     std::optional<double> radiance_decades;  ///< below it that the pictures show, on a logarithmic scale; none: linear
 };
@@ -124,16 +125,6 @@ struct Probe {
     std::optional<double> depth_m;  ///< of the irradiance below still water; none: on the floor
 };
 
-/// An expectation about one number of the report.
-struct Check {
-    std::string quantity;
-    std::optional<double> equals;
-    std::optional<double> below;
-    std::optional<double> above;
-    double tolerance = 0;           ///< of equals, absolute
-    double relative_tolerance = 0;  ///< of equals, relative; the larger of both counts
-};
-
 struct Scenario {
     std::string title;
     DomainSection domain;
@@ -147,6 +138,7 @@ struct Scenario {
     OutputSection output;
     std::vector<Probe> probes;
     std::vector<Check> checks;
+    CheckRunSection check_run;
 
     Origin origin;  ///< where each key was stated
 };

@@ -3,6 +3,7 @@
 
 #include "scenarios/scenario.hpp"
 #include "scenarios/schema_beams.hpp"
+#include "scenarios/schema_check.hpp"
 #include "scenarios/schema_parts.hpp"
 #include "scenarios/schema_shallow.hpp"
 
@@ -232,15 +233,6 @@ void describe_probe(Visitor& v, Probe& s) {
             &s.depth_m);
 }
 
-void describe_check(Visitor& v, Check& s) {
-    v.value({"quantity", "", "Number of the report to judge.", {}, true}, &s.quantity);
-    v.value({"equals", "", "Expected value, within the larger of both tolerances.", {}, false, "none"}, &s.equals);
-    v.value({"below", "", "Upper bound.", {}, false, "none"}, &s.below);
-    v.value({"above", "", "Lower bound.", {}, false, "none"}, &s.above);
-    v.value({"tolerance", "", "Absolute tolerance of equals.", not_negative}, &s.tolerance);
-    v.value({"relative_tolerance", "", "Relative tolerance of equals.", not_negative}, &s.relative_tolerance);
-}
-
 }  // namespace
 
 void describe(Visitor& v, Scenario& s) {
@@ -262,6 +254,8 @@ void describe(Visitor& v, Scenario& s) {
            {{"", "", append<Probe>(s.probes, describe_probe)}});
     v.list({"check", "", "An expectation; the run fails with exit 1 where it is not met."},
            {{"", "", append<Check>(s.checks, describe_check)}});
+    v.section({"check_run", "", "What the command `check` does differently from `run`."},
+              [&s](Visitor& in) { describe_check_run(in, s.check_run); });
 }
 
 }  // namespace waterlight

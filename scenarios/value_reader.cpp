@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "scenarios/read_resolutions.hpp"
+
 namespace waterlight {
 
 namespace {
@@ -64,6 +66,18 @@ struct Reading {
     bool operator()(glm::ivec2* t) const { return store(t, pair<glm::ivec2>(integer_in)); }
     bool operator()(glm::dvec3* t) const { return store(t, triple<glm::dvec3>(number_in)); }
     bool operator()(std::optional<glm::ivec3>* t) const { return store(t, triple<glm::ivec3>(integer_in)); }
+    bool operator()(std::vector<std::string>* t) const {
+        const toml::array* list = node.as_array();
+        if (!list) return false;
+        std::vector<std::string> texts;
+        for (const toml::node& element : *list) {
+            if (!element.is_string()) return false;
+            texts.push_back(*element.value<std::string>());
+        }
+        *t = texts;
+        return true;
+    }
+    bool operator()(std::vector<Resolution>* t) const { return store(t, read_resolutions(node)); }
     bool operator()(const Choice& choice) const {
         const auto index = index_in(choice.names, text_of(node, raw));
         if (index) choice.select(static_cast<int>(*index));

@@ -18,3 +18,9 @@ run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${SCRATCH}/build -G Ninja -DCMAKE_BUILD_T
 run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
 run(${SCRATCH}/build/embed)
 run(${SCRATCH}/build/embed_all)
+
+# Its test kit, in tests of theirs.
+run(${CMAKE_COMMAND} -S ${CONSUMER}/test_kit_example -B ${SCRATCH}/test_kit -G Ninja -DCMAKE_BUILD_TYPE=Release
+    -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix ${sanitize})
+run(${CMAKE_COMMAND} --build ${SCRATCH}/test_kit)
+run(${CMAKE_CTEST_COMMAND} --test-dir ${SCRATCH}/test_kit --output-on-failure --no-tests=error)

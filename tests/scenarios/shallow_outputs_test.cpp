@@ -147,7 +147,7 @@ TEST_F(ShallowOutputs, TheTruthBesideItIsOfTheCpu) {
 
 TEST_F(ShallowOutputs, ABadDataFileIsNamedWithItsLine) {
     const fs::path wave = folder_.write("wave.txt", "time elevation\n0 0\n1 0.1\n0.5 0.2\n");
-    const Outcome outcome = run({"--set", "waves.boundary.west=inflow", "--set",
+    const Outcome outcome = run({"--set", "check=[]", "--set", "waves.boundary.west=inflow", "--set",
                                  "waves.inflow[0]={type=\"wave\", side=\"west\", file=\"wave.txt\"}"});
     EXPECT_EQ(outcome.exit, 2) << outcome.output;
     EXPECT_NE(outcome.output.find(wave.string() + ":4"), std::string::npos) << outcome.output;
