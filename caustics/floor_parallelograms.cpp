@@ -4,9 +4,9 @@ namespace waterlight {
 
 namespace {
 
-// What a sample's neighbours on both sides overlap it by, relative to its area, where their parallelograms are taken
-// for boxes: slant times slide.
-constexpr float unnoticed = 2e-4F;
+// Parallelograms are taken for boxes where their slant times their slide, by which neighbours then overlap relative to
+// their area, stays below `unnoticed`, and their slant below a fiftieth of a pixel.
+constexpr float unnoticed = 2e-4F, least_slide = 1e-2F;
 
 /// Landed rows around one: the differences between neighbours are half of the next's less half of the last's, at the
 /// lattice's edges one-sided.
@@ -60,7 +60,7 @@ const ParallelogramRow& ParallelogramShaper::shape(const LandedSamples& landed, 
         half_x[i] = half.x;
         half_y[i] = half.y;
         span[i] = f32::abs(p.width) / strips + f32::abs(p.slant);
-        shear[i] = f32::abs(p.slant * p.slide);
+        shear[i] = f32::abs(p.slant) * f32::max(f32::abs(p.slide), least_slide);
     };
 #pragma GCC ivdep
     for (int i = 1; i < count - 1; ++i) put(i, around.at(i, i - 1, i + 1, 0.5F));

@@ -60,7 +60,6 @@ struct Scene {
     Surface surface = surface_of(random_waves(), {});
 
     Scene() {
-        settings.footprint = Footprint::pixel;
         settings.plan = cover(grid, 100, 84);
         settings.sun.elevation_deg = 60;
         settings.sun.azimuth_deg = 20;
@@ -168,17 +167,24 @@ class FloorBackends : public GpuTest {
     }
 };
 
-class FloorBackendsScene : public FloorBackends, public testing::WithParamInterface<Change> {};
-
-TEST_P(FloorBackendsScene, AgreeThroughEveryWindow) {
-    Scene s;
-    GetParam().apply(s);
-    for (const std::optional<FloorWindow>& window : {std::optional(FloorWindow{1, 1}), std::optional(FloorWindow{7, 7}),
-                                                     std::optional(FloorWindow{5, 11}), std::optional<FloorWindow>()}) {
-        SCOPED_TRACE(window ? std::to_string(window->samples) + " x " + std::to_string(window->channels) : "auto");
-        compare(s.settings, s.surface, window);
+class FloorBackendsScene : public FloorBackends, public testing::WithParamInterface<Change> {
+  protected:
+    void compare_windows(Footprint footprint) {
+        Scene s;
+        s.settings.footprint = footprint;
+        GetParam().apply(s);
+        for (const std::optional<FloorWindow>& window :
+             {std::optional(FloorWindow{1, 1}), std::optional(FloorWindow{7, 7}), std::optional(FloorWindow{5, 11}),
+              std::optional<FloorWindow>()}) {
+            SCOPED_TRACE(window ? std::to_string(window->samples) + " x " + std::to_string(window->channels) : "auto");
+            compare(s.settings, s.surface, window);
+        }
     }
-}
+};
+
+TEST_P(FloorBackendsScene, AgreeThroughEveryWindow) { compare_windows(Footprint::pixel); }
+
+TEST_P(FloorBackendsScene, AgreeThroughEveryWindowWithTheAdaptiveFootprint) { compare_windows(Footprint::adaptive); }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, FloorBackendsScene, testing::ValuesIn(changes), name_of);
 
@@ -191,7 +197,6 @@ TEST_F(FloorBackends, AgreeWhereTheLatticeIsHandledInBands) {
 
 TEST_F(FloorBackends, AgreeFrameAfterFrameWhileTheWindowGrowsAndShrinks) {
     FloorSettings settings;
-    settings.footprint = Footprint::pixel;
     settings.plan = cover(grid, 80, 60);
     const auto cpu = make_floor_cpu(settings), vulkan = make_floor_vulkan(settings, context);
     EXPECT_EQ(vulkan->backend(), "vulkan");
