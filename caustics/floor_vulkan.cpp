@@ -10,11 +10,13 @@
 #include <optional>
 
 #include "caustics/floor_frame.hpp"
+#include "caustics/floor_samples.hpp"
 #include "caustics/kernels/surface_lookup.hpp"
 #include "gpu/buffer.hpp"
 #include "gpu/commands.hpp"
 #include "gpu/pass.hpp"
 #include "shaders/floor_gather.hpp"
+#include "shaders/floor_gather_adaptive.hpp"
 #include "shaders/floor_land.hpp"
 #include "shaders/floor_sum.hpp"
 #include "sim/error.hpp"
@@ -49,8 +51,7 @@ FloorParameters parameters(const FloorFrame& frame, const Surface& surface) {
             .pixel_y_y = light.pixel_y.y,
             .nx = surface.grid.nx,
             .ny = surface.grid.ny,
-            .side_x = side_number(surface.boundary.x),
-            .side_y = side_number(surface.boundary.y),
+            .sides = side_number(surface.boundary.x) + 4 * side_number(surface.boundary.y),
             .climb_x = static_cast<float>(surface.tilt.x * surface.grid.width_m()),
             .climb_y = static_cast<float>(surface.tilt.y * surface.grid.height_m()),
             .half_width_x = frame.half_width_x,
@@ -58,19 +59,24 @@ FloorParameters parameters(const FloorFrame& frame, const Surface& surface) {
             .first_column = frame.columns.first,
             .column_count = frame.columns.count,
             .first_row = frame.rows.first,
+            .row_count = frame.rows.count,
             .half_samples = frame.half_samples(),
             .half_channels = frame.half_channels(),
             .map_width = frame.map_width,
             .map_height = frame.map_height,
-            .count_base = (frame.count_base_x ? 1 : 0) + (frame.count_base_y ? 2 : 0),
+            .options = (frame.count_base_x ? 1 : 0) + (frame.count_base_y ? 2 : 0) + (frame.adaptive ? 4 : 0) +
+                       8 * frame.strips,
             .band_begin = 0,
             .band_count = 0};
 }
 
+/// What pass 0 stores of a sample.
+std::int64_t landed_values(const FloorFrame& frame) { return frame.adaptive ? 7 : 3; }
+
 /// How many lattice rows the passes handle at a time.
 int band_rows(const FloorFrame& frame) {
     const std::int64_t channels = std::int64_t{frame.map_width} * frame.window.channels;
-    const std::int64_t landed = std::int64_t{frame.columns.count} * 3;
+    const std::int64_t landed = std::int64_t{frame.columns.count} * landed_values(frame);
     const auto row_bytes = static_cast<std::int64_t>(sizeof(float)) * std::max(channels, landed);
     if (row_bytes > band_bytes)
         throw InputError(
@@ -84,10 +90,13 @@ class FloorVulkan final : public FloorMapper {
   public:
     FloorVulkan(const FloorSettings& settings, std::shared_ptr<gpu::Context> context)
         : settings_(settings), context_(std::move(context)), commands_(context_) {
-        validate(settings);
         constexpr std::uint32_t push = sizeof(FloorParameters);
         land_.emplace(context_, gpu::PassSettings{"floor: land", shaders::floor_land, 6, push, row_workgroup});
-        gather_.emplace(context_, gpu::PassSettings{"floor: gather", shaders::floor_gather, 2, push, tile_workgroup});
+        const auto gather =
+            settings.footprint == Footprint::adaptive
+                ? gpu::PassSettings{"floor: gather adaptive", shaders::floor_gather_adaptive, 2, push, tile_workgroup}
+                : gpu::PassSettings{"floor: gather", shaders::floor_gather, 2, push, tile_workgroup};
+        gather_.emplace(context_, gather);
         sum_.emplace(context_, gpu::PassSettings{"floor: sum", shaders::floor_sum, 2, push, tile_workgroup});
     }
 
@@ -120,7 +129,7 @@ class FloorVulkan final : public FloorMapper {
         reserve<float>(elevation_, cells, BufferUse::from_host);
         reserve<float>(slope_x_, cells, BufferUse::from_host);
         reserve<float>(slope_y_, cells, BufferUse::from_host);
-        reserve<float>(landed_, 3 * columns * rows, BufferUse::device);
+        reserve<float>(landed_, landed_values(frame) * columns * rows, BufferUse::device);
         reserve<FloorRowLedger>(ledger_, std::int64_t{frame.rows.count} * row_workgroup[0], BufferUse::to_host);
         reserve<float>(channels_, width * rows * frame.window.channels, BufferUse::device);
         reserve<float>(map_, width * frame.map_height, BufferUse::to_host);
@@ -189,7 +198,9 @@ class FloorVulkan final : public FloorMapper {
 }  // namespace
 
 std::unique_ptr<FloorMapper> make_floor_vulkan(const FloorSettings& settings, std::shared_ptr<gpu::Context> context) {
-    return std::make_unique<FloorVulkan>(settings, std::move(context));
+    validate(settings);
+    if (settings.samples_per_pixel == 1) return std::make_unique<FloorVulkan>(settings, std::move(context));
+    return average_samples(settings, make_floor_vulkan(one_sample_a_pixel(settings), std::move(context)));
 }
 
 }  // namespace waterlight

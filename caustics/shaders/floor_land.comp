@@ -7,6 +7,7 @@
 
 #include "caustics/kernels/optics.glsl"
 #include "caustics/kernels/floor.glsl"
+#include "caustics/kernels/footprint.glsl"
 #include "caustics/kernels/surface_lookup.glsl"
 #include "caustics/shaders/floor_parameters.glsl"
 
@@ -17,7 +18,8 @@ layout(std430, binding = 0) readonly buffer Places { FloorPlace places[]; };  //
 layout(std430, binding = 1) readonly buffer Elevation { float elevations[]; };
 layout(std430, binding = 2) readonly buffer SlopeX { float slopes_x[]; };
 layout(std430, binding = 3) readonly buffer SlopeY { float slopes_y[]; };
-// Displacement along x of the whole band, then along y, then power.
+// Displacement along x of the whole band, then along y, then power; with the adaptive footprint also the width, height,
+// slant and slide of the parallelograms.
 layout(std430, binding = 4) writeonly buffer Landed { float landed[]; };
 layout(std430, binding = 5) writeonly buffer Ledger { FloorRowLedger ledger[]; };
 
@@ -40,8 +42,8 @@ real blend(vec4 around, AxisPlace x, AxisPlace y) {
 SurfaceSample read_surface(int i, int j) {
     FloorPlace c = places[i];
     FloorPlace r = places[f.column_count + j];
-    AxisPlace x = place(c.whole_x + r.whole_x, c.part_x + r.part_x, f.nx, f.side_x, f.half_width_x);
-    AxisPlace y = place(c.whole_y + r.whole_y, c.part_y + r.part_y, f.ny, f.side_y, f.half_width_y);
+    AxisPlace x = place(c.whole_x + r.whole_x, c.part_x + r.part_x, f.nx, f.sides & 3, f.half_width_x);
+    AxisPlace y = place(c.whole_y + r.whole_y, c.part_y + r.part_y, f.ny, f.sides >> 2, f.half_width_y);
     ivec4 cells = ivec4(x.low, x.high, x.low, x.high) + f.nx * ivec4(y.low, y.low, y.high, y.high);
     vec4 mirror_x = vec4(x.mirror_low, x.mirror_high, x.mirror_low, x.mirror_high);
     vec4 mirror_y = vec4(y.mirror_low, y.mirror_low, y.mirror_high, y.mirror_high);
@@ -49,9 +51,9 @@ SurfaceSample read_surface(int i, int j) {
     SurfaceSample s;
     s.elevation = blend(AROUND(elevations), x, y) + f.climb_x * wraps_between(x) + f.climb_y * wraps_between(y);
     s.slope = real2(blend(mirror_x * AROUND(slopes_x), x, y), blend(mirror_y * AROUND(slopes_y), x, y));
-    s.lit = lit_part(x, f.side_x) * lit_part(y, f.side_y);
-    s.counted = counted_part(x, f.side_x, (f.count_base & 1) != 0, f.first_column + i, f.map_width) *
-                counted_part(y, f.side_y, (f.count_base & 2) != 0, f.first_row + j, f.map_height);
+    s.lit = lit_part(x, f.sides & 3) * lit_part(y, f.sides >> 2);
+    s.counted = counted_part(x, f.sides & 3, (f.options & 1) != 0, f.first_column + i, f.map_width) *
+                counted_part(y, f.sides >> 2, (f.options & 2) != 0, f.first_row + j, f.map_height);
     return s;
 }
 
@@ -59,6 +61,40 @@ FloorLight light() {
     return FloorLight(real3(f.direction_x, f.direction_y, f.direction_z), f.irradiance, f.index, f.fresnel, f.depth,
                       real2(f.rest_travel_x, f.rest_travel_y), real2(f.pixel_x_x, f.pixel_x_y),
                       real2(f.pixel_y_x, f.pixel_y_y));
+}
+
+real2 displacement(int i, int j) {
+    SurfaceSample s = read_surface(i, j);
+    return land_on_floor(light(), s.elevation, s.slope).displacement;
+}
+
+// Half of the next sample's displacement less half of the last one's; at the lattice's edges one-sided.
+Parallelogram parallelogram(int i, int j) {
+    int left = max(i - 1, 0);
+    int right = min(i + 1, f.column_count - 1);
+    int below = max(j - 1, 0);
+    int above = min(j + 1, f.row_count - 1);
+    real2 along_x = (displacement(right, j) - displacement(left, j)) / real(max(right - left, 1));
+    real2 along_y = (displacement(i, above) - displacement(i, below)) / real(max(above - below, 1));
+    return landed_parallelogram(real2(1 + along_x.x, along_x.y), real2(along_y.x, 1 + along_y.y));
+}
+
+SampleShare share_of_box(real2 displacement, real2 base) {
+    AxisShare x = share_on_axis(displacement.x, base.x, real(f.half_samples), real(f.map_width));
+    AxisShare y = share_on_axis(displacement.y, base.y, real(f.half_channels), real(f.map_height));
+    return SampleShare(x.in_window * y.in_window, x.on_map * y.on_map);
+}
+
+SampleShare share_of_parallelogram(Parallelogram shape, real2 displacement, real2 base) {
+    real strips = real(f.options >> 3);
+    FloorReach reach = FloorReach(real2(f.half_samples, f.half_channels), real2(f.map_width, f.map_height), strips);
+    SampleShare sum = SampleShare(0, 0);
+    for (real k = 0; k < strips; ++k) {
+        SampleShare share = share_of(reach, strip_of(shape, displacement, k, strips), base);
+        sum.in_window += share.in_window;
+        sum.on_map += share.on_map;
+    }
+    return sum;
 }
 
 // Lands sample (i, j), stores it, and returns what it adds to the ledger.
@@ -75,13 +111,21 @@ FloorRowLedger land(int i, int j) {
     landed[at + band_size] = l.displacement.y;
     landed[at + 2 * band_size] = power;
 
-    AxisShare x = share_on_axis(l.displacement.x, real(f.first_column + i), real(f.half_samples), real(f.map_width));
-    AxisShare y = share_on_axis(l.displacement.y, real(f.first_row + j), real(f.half_channels), real(f.map_height));
-    real in_window = x.in_window * y.in_window;
-    real on_map = x.on_map * y.on_map;
+    real2 base = real2(f.first_column + i, f.first_row + j);
+    SampleShare share;
+    if ((f.options & 4) != 0) {
+        Parallelogram shape = parallelogram(i, j);
+        landed[at + 3 * band_size] = shape.width;
+        landed[at + 4 * band_size] = shape.height;
+        landed[at + 5 * band_size] = shape.slant;
+        landed[at + 6 * band_size] = shape.slide;
+        share = share_of_parallelogram(shape, l.displacement, base);
+    } else {
+        share = share_of_box(l.displacement, base);
+    }
     return FloorRowLedger(s.counted * incident, s.counted * (incident - transmitted),
-                          s.counted * (transmitted - power), s.counted * power * (in_window - on_map),
-                          s.counted * power * (1 - in_window), (1 - s.counted) * power * on_map);
+                          s.counted * (transmitted - power), s.counted * power * (share.in_window - share.on_map),
+                          s.counted * power * (1 - share.in_window), (1 - s.counted) * power * share.on_map);
 }
 
 FloorRowLedger sum(FloorRowLedger a, FloorRowLedger b) {

@@ -15,15 +15,15 @@ struct FloorParameters {
     float pixel_y_x, pixel_y_y;
     // The surface.
     int nx, ny;
-    int side_x, side_y;
+    int sides;  // side_x + 4 side_y
     float climb_x, climb_y;  // of the surface over one period
     // The lattice of samples and the map.
     float half_width_x, half_width_y;
     int first_column, column_count;
-    int first_row;
+    int first_row, row_count;
     int half_samples, half_channels;
     int map_width, map_height;
-    int count_base;  // 1: count_base_x, 2: count_base_y, 3: both
+    int options;  // 1: count_base_x, + 2: count_base_y, + 4: adaptive, + 8 strips
     // The rows of the lattice that this run of the passes handles, counted from the lattice's first.
     int band_begin, band_count;
 };

@@ -167,17 +167,24 @@ class FloorBackends : public GpuTest {
     }
 };
 
-class FloorBackendsScene : public FloorBackends, public testing::WithParamInterface<Change> {};
-
-TEST_P(FloorBackendsScene, AgreeThroughEveryWindow) {
-    Scene s;
-    GetParam().apply(s);
-    for (const std::optional<FloorWindow>& window : {std::optional(FloorWindow{1, 1}), std::optional(FloorWindow{7, 7}),
-                                                     std::optional(FloorWindow{5, 11}), std::optional<FloorWindow>()}) {
-        SCOPED_TRACE(window ? std::to_string(window->samples) + " x " + std::to_string(window->channels) : "auto");
-        compare(s.settings, s.surface, window);
+class FloorBackendsScene : public FloorBackends, public testing::WithParamInterface<Change> {
+  protected:
+    void compare_windows(Footprint footprint) {
+        Scene s;
+        s.settings.footprint = footprint;
+        GetParam().apply(s);
+        for (const std::optional<FloorWindow>& window :
+             {std::optional(FloorWindow{1, 1}), std::optional(FloorWindow{7, 7}), std::optional(FloorWindow{5, 11}),
+              std::optional<FloorWindow>()}) {
+            SCOPED_TRACE(window ? std::to_string(window->samples) + " x " + std::to_string(window->channels) : "auto");
+            compare(s.settings, s.surface, window);
+        }
     }
-}
+};
+
+TEST_P(FloorBackendsScene, AgreeThroughEveryWindow) { compare_windows(Footprint::pixel); }
+
+TEST_P(FloorBackendsScene, AgreeThroughEveryWindowWithTheAdaptiveFootprint) { compare_windows(Footprint::adaptive); }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, FloorBackendsScene, testing::ValuesIn(changes), name_of);
 
@@ -204,6 +211,7 @@ TEST_F(FloorBackends, AgreeFrameAfterFrameWhileTheWindowGrowsAndShrinks) {
 
 TEST_F(FloorBackends, RefuseAWindowWhoseRowOfChannelsCannotBeHeld) {
     FloorSettings settings;
+    settings.footprint = Footprint::pixel;
     settings.plan = cover(grid, 4096, 1);
     settings.window = FloorWindow{1, 8193};
     FloorMap map;
