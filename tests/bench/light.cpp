@@ -1,0 +1,53 @@
+// What the light that a scene may ask for costs, beside the plain map: light/CASE, seconds per frame of a map of
+// 1024 x 768 pixels over a moving pool.
+#include <benchmark/benchmark.h>
+
+#include "caustics/sun_disc.hpp"
+#include "tests/support/surfaces.hpp"
+
+namespace waterlight::bench {
+
+namespace {
+
+const Surface& pool() {
+    static const Surface surface =
+        test::sample(make_grid(512, 384, 8, 6), {Side::wall, Side::wall},
+                     test::sines({{.0006, 1, 0}, {.0004, .7, 40}, {.0003, .5, 110}, {.0005, 1.3, 75}}));
+    return surface;
+}
+
+FloorSettings settings() {
+    FloorSettings s;
+    s.plan = cover(pool().grid, 1024, 768);
+    s.depth_m = 2;
+    s.sun.elevation_deg = 60;
+    return s;
+}
+
+void time(benchmark::State& state, FloorMapper& mapper) {
+    FloorMap map;
+    mapper.compute(pool(), map);
+    for (auto _ : state) mapper.compute(pool(), map);
+}
+
+void plain(benchmark::State& state) { time(state, *make_floor_cpu(settings())); }
+
+/// The argument is the radius of the ellipse across the sun's azimuth, in tenths of a pixel.
+void sun_disc(benchmark::State& state) {
+    const Spread one = disc_spread(settings(), 1);
+    const double radius = 2 * std::sqrt(one.yy), wanted = static_cast<double>(state.range(0)) / 10;
+    time(state, *make_sun_disc(settings(), wanted / radius, make_floor_cpu));
+}
+
+}  // namespace
+
+BENCHMARK(plain)->Name("light/plain")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(sun_disc)
+    ->Name("light/sun_disc/tenths")
+    ->Arg(9)
+    ->Arg(45)
+    ->Arg(160)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+}  // namespace waterlight::bench
