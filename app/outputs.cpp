@@ -7,6 +7,7 @@
 #include <limits>
 #include <regex>
 
+#include "export/colour_picture.hpp"
 #include "export/exr.hpp"
 #include "export/frames.hpp"
 #include "export/grey16.hpp"
@@ -81,7 +82,7 @@ fs::path made_folder(fs::path folder) {
 /// Names that only a run of ours gives to files.
 constexpr const char* our_names =
     "(surface|floor|volume)\\.pvd|(surface/surface|floor/floor|volume/volume)_[0-9]{6,}\\.vti|"
-    "images/(elevation|irradiance|radiance)(16)?_[0-9]{6,}\\.(png|exr)|probes\\.csv|extremes\\.vti|runup\\.csv";
+    "images/(elevation|irradiance|radiance|colour)(16)?_[0-9]{6,}\\.(png|exr)|probes\\.csv|extremes\\.vti|runup\\.csv";
 
 void remove_stale(const fs::path& folder, const std::set<fs::path>& written) {
     const std::regex ours(our_names);
@@ -108,6 +109,7 @@ std::size_t FrameFiles::bytes() const {
         surface.elevation.size() + surface.slope_x.size() + surface.slope_y.size() + irradiance.size() + shown.size();
     for (const auto* field : {&surface.velocity_x, &surface.velocity_y, &surface.depth})
         if (*field) count += (*field)->size();
+    for (const BandFiles& band : bands) count += band.irradiance.size();
     count += plane_irradiance.size() + scalar_irradiance.size() + radiance.size();
     return count * sizeof(float);
 }
@@ -136,6 +138,8 @@ void Outputs::push(const FrameView& view, std::vector<double> probes) {
     FrameFiles frame;
     frame.surface = copy_of(surface, settings_, depth_m_);
     if (view.floor) frame.irradiance = view.floor->irradiance.clone();
+    for (const BandMap& band : view.bands)
+        frame.bands.push_back({band.band.wavelength_nm, band.band.share, band.map.irradiance.clone()});
     if (view.volume && settings_.wants("vti")) {
         frame.volume_cells = view.volume->cells;
         frame.plane_irradiance = view.volume->plane_irradiance.clone();
@@ -175,7 +179,10 @@ void Outputs::write_fields(const FrameFiles& frame) {
     written_.insert(surface_series_.write(fields));
     written_.insert(folder_ / "surface.pvd");
     if (plan_) {
-        written_.insert(floor_series_.write(floor_frame(*plan_, depth_m_, time_s, frame.irradiance)));
+        VtiFrame floor = floor_frame(*plan_, depth_m_, time_s, frame.irradiance);
+        for (const BandFiles& band : frame.bands)
+            floor.arrays.push_back({fmt::format("irradiance_{}nm", band.wavelength_nm), {band.irradiance.values()}});
+        written_.insert(floor_series_.write(floor));
         written_.insert(folder_ / "floor.pvd");
     }
     if (has_volume_) {
@@ -221,6 +228,20 @@ void Outputs::write_pictures(const FrameFiles& frame) {
                                      .time_s = time_s,
                                      .pitch_m = plan_->pitch_m};
     write_picture(image("irradiance", "png"), frame.irradiance, irradiance);
+    if (frame.bands.size() == 3) write_colour(frame);
+}
+
+/// The longest wavelength is red; sunlight of the brightness at the end of the pictures' colours is white.
+void Outputs::write_colour(const FrameFiles& frame) {
+    std::vector<const BandFiles*> bands;
+    for (const BandFiles& band : frame.bands) bands.push_back(&band);
+    std::ranges::sort(bands, std::greater{}, &BandFiles::wavelength_nm);
+    ColourFields fields;
+    for (std::size_t c = 0; c < 3; ++c) {
+        fields.field[c] = &bands[c]->irradiance;
+        fields.full[c] = irradiance_max_ * bands[c]->share;
+    }
+    write_colour_picture(image("colour", "png"), fields);
 }
 
 void Outputs::write_radiance(const FrameFiles& frame) {

@@ -5,12 +5,13 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "caustics/beam_image.hpp"
 #include "caustics/beam_volume.hpp"
-#include "caustics/floor.hpp"
+#include "caustics/spectral_floor.hpp"
 #include "export/probes.hpp"
 #include "export/queue.hpp"
 #include "export/range.hpp"
@@ -28,13 +29,21 @@ struct FrameView {
     const FloorMap* floor = nullptr;
     const BeamVolume* volume = nullptr;
     const BeamImage* picture = nullptr;
+    std::span<const BandMap> bands = {};  ///< of light in colour
+};
+
+/// The map of one wavelength.
+struct BandFiles {
+    double wavelength_nm = 0, share = 1;
+    Field<float> irradiance;
 };
 
 /// One frame as it is handed over to be written: copies that the run may then forget.
 struct FrameFiles {
     Surface surface;
-    Field<float> irradiance;  ///< empty without a floor map
-    Field<float> shown;       ///< elevation as pictures show it: NaN on dry ground; empty where there is none
+    Field<float> irradiance;       ///< empty without a floor map
+    std::vector<BandFiles> bands;  ///< of light in colour
+    Field<float> shown;            ///< elevation as pictures show it: NaN on dry ground; empty where there is none
     glm::ivec3 volume_cells{0, 0, 0};
     Field<float> plane_irradiance, scalar_irradiance;  ///< in the water; empty without fields
     Field<float> radiance;                             ///< empty without a camera
@@ -69,6 +78,7 @@ class Outputs {
     void write(const FrameFiles& frame);
     void write_fields(const FrameFiles& frame);
     void write_pictures(const FrameFiles& frame);
+    void write_colour(const FrameFiles& frame);
     void write_radiance(const FrameFiles& frame);
     void write_greys(const FrameFiles& frame);
     void write_exrs(const FrameFiles& frame);

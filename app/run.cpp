@@ -19,6 +19,7 @@
 #include "export/report.hpp"
 #include "scenarios/build.hpp"
 #include "scenarios/reader.hpp"
+#include "scenarios/resolve_light.hpp"
 #include "sim/error.hpp"
 
 namespace waterlight {
@@ -38,10 +39,16 @@ void timed(double& stage_s, Work work) {
 
 /// Irradiance (W/m2) on the floor below flat water.
 double still_irradiance(const Scenario& s) {
-    const double n = s.optics.refractive_index, fresnel = s.optics.fresnel ? 1 : 0;
-    const f64::Refraction r = f64::refract_sun(s.light.direction(), {0, 0}, n, fresnel);
-    const double remaining = f64::beer_lambert(s.optics.extinction_per_m(), s.domain.depth_m * r.path);
-    return s.light.irradiance_w_m2 * r.incident * r.transmittance * remaining;
+    std::vector<Band> bands = bands_of(s);
+    if (bands.empty()) bands.push_back({.optics = s.optics});
+    double sum = 0;
+    for (const Band& band : bands) {
+        const double n = band.optics.refractive_index, fresnel = band.optics.fresnel ? 1 : 0;
+        const f64::Refraction r = f64::refract_sun(s.light.direction(), {0, 0}, n, fresnel);
+        const double remaining = f64::beer_lambert(band.optics.extinction_per_m(), s.domain.depth_m * r.path);
+        sum += band.share * s.light.irradiance_w_m2 * r.incident * r.transmittance * remaining;
+    }
+    return sum;
 }
 
 constexpr double slack = 1e-9;  // of an interval: a duration that is a multiple but for rounding
@@ -187,7 +194,8 @@ class Run {
         });
         const BeamVolume* volume = beams_ ? beams_->volume() : nullptr;
         const BeamImage* picture = beams_ ? beams_->image() : nullptr;
-        outputs.push({*surface_, floor_ ? &map_ : nullptr, volume, picture}, std::move(probes));
+        const std::span<const BandMap> bands = floor_ ? floor_->bands() : std::span<const BandMap>();
+        outputs.push({*surface_, floor_ ? &map_ : nullptr, volume, picture, bands}, std::move(probes));
     }
 
     void record_row(double time_s, Outputs& outputs) {

@@ -18,5 +18,8 @@ void check_sides(const Scenario& scenario);
 void check_shallow(const Scenario& scenario);
 /// Throws InputError where a camera or a probe in the water is stated without beams, or is not in the water.
 void check_beams(const Scenario& scenario);
+/// Throws InputError where the sun's disc or light in colour is stated beside what does not know it, or lists of one
+/// value a wavelength are not.
+void check_light(const Scenario& scenario);
 
 }  // namespace waterlight

@@ -59,6 +59,7 @@ std::string allowed(const Key& key, const Target& target) {
                    [&](glm::ivec2*) { return with_range("two integers, each", key.range); },
                    [](glm::dvec3*) { return std::string("three numbers"); },
                    [&](std::optional<glm::ivec3>*) { return with_range("three integers, each", key.range); },
+                   [&](std::vector<double>*) { return with_range("list of numbers, each", key.range); },
                    [](const Choice& c) { return fmt::format("one of {}", fmt::join(c.names, ", ")); },
                    [](const Words& w) { return fmt::format("list of {}", fmt::join(w.names, ", ")); }},
         target);
@@ -82,6 +83,9 @@ std::string value_text(const Target& target) {
                    },
                    [](const std::optional<glm::ivec3>* v) {
                        return *v ? fmt::format("[{}, {}, {}]", (*v)->x, (*v)->y, (*v)->z) : std::string();
+                   },
+                   [](const std::vector<double>* v) {
+                       return v->empty() ? std::string() : fmt::format("[{}]", fmt::join(*v, ", "));
                    },
                    [&](const Choice& c) { return quoted(std::string(c.names[static_cast<std::size_t>(c.selected)])); },
                    [](const Words& w) { return fmt::format("[{}]", fmt::join(*w.values, ", ")); }},

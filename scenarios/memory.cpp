@@ -7,6 +7,7 @@
 #include <string>
 
 #include "scenarios/resolve.hpp"
+#include "scenarios/resolve_light.hpp"
 
 namespace waterlight {
 
@@ -65,7 +66,8 @@ MemoryEstimate estimate_memory(const Scenario& scenario) {
     if (!scenario.floor) return estimate;
     const glm::ivec2 pixels = scenario.floor->pixels;
     const double per_pixel = scenario.floor->method == FloorMethod::truth ? truth_pixel : two_pass_pixel;
-    estimate.pixels = pixels.x * static_cast<double>(pixels.y) * per_pixel;
+    const double maps = std::max<double>(1, static_cast<double>(bands_of(scenario).size()));
+    estimate.pixels = pixels.x * static_cast<double>(pixels.y) * per_pixel * maps;
     return estimate;
 }
 

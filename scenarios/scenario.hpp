@@ -13,6 +13,7 @@
 #include "caustics/light.hpp"
 #include "export/vti.hpp"
 #include "scenarios/inflow.hpp"
+#include "scenarios/light_section.hpp"
 #include "scenarios/origin.hpp"
 #include "sim/bathymetry.hpp"
 #include "sim/boundary.hpp"
@@ -128,9 +129,11 @@ struct Scenario {
     std::string title;
     DomainSection domain;
     Water water;  ///< its depth is the domain's
-    WaterOptics optics;
+    WaterOptics optics;  ///< of light of one colour
+    WaterColourSection water_colour;
     WavesSection waves;
     Sun light;
+    SunSection sun;
     std::optional<FloorSection> floor;
     std::optional<BeamsSection> beams;
     std::optional<CameraSection> camera;

@@ -3,6 +3,7 @@
 
 #include "scenarios/scenario.hpp"
 #include "scenarios/schema_beams.hpp"
+#include "scenarios/schema_light.hpp"
 #include "scenarios/schema_parts.hpp"
 #include "scenarios/schema_shallow.hpp"
 
@@ -25,7 +26,7 @@ void describe_domain(Visitor& v, DomainSection& s) {
     describe_ground(v, s);
 }
 
-void describe_water(Visitor& v, Water& w, WaterOptics& o) {
+void describe_water(Visitor& v, Water& w, WaterOptics& o, WaterColourSection& c) {
     v.value({"gravity_m_s2", "m/s2", "Acceleration of gravity.", positive}, &w.gravity_m_s2);
     v.value({"density_kg_m3", "kg/m3", "Density.", positive}, &w.density_kg_m3);
     v.value({"surface_tension_n_m", "N/m", "Surface tension; felt by ripples shorter than some 5 cm.", not_negative},
@@ -33,6 +34,7 @@ void describe_water(Visitor& v, Water& w, WaterOptics& o) {
     v.value({"refractive_index", "", "Of the water; that of air is 1.", {.low = 1, .high = 3}}, &o.refractive_index);
     v.value({"fresnel", "", "Whether the surface reflects its share; false lets all light in."}, &o.fresnel);
     describe_optics(v, o);
+    describe_water_colour(v, c);
 }
 
 void describe_sine(Visitor& v, Sine& s) {
@@ -245,9 +247,12 @@ void describe(Visitor& v, Scenario& s) {
     v.value({"title", "", "What the scenario shows, in a few words."}, &s.title);
     v.section({"domain", "", "The patch of water."}, [&s](Visitor& in) { describe_domain(in, s.domain); });
     v.section({"water", "", "The water as waves and light feel it."},
-              [&s](Visitor& in) { describe_water(in, s.water, s.optics); });
+              [&s](Visitor& in) { describe_water(in, s.water, s.optics, s.water_colour); });
     v.section({"waves", "", "How the surface moves."}, [&s](Visitor& in) { describe_waves(in, s.waves); });
-    v.section({"light", "", "The sun."}, [&s](Visitor& in) { describe_light(in, s.light); });
+    v.section({"light", "", "The sun."}, [&s](Visitor& in) {
+        describe_light(in, s.light);
+        describe_sun(in, s.sun);
+    });
     v.section({"caustics", "", "The light that the water focuses."}, [&s](Visitor& in) {
         in.optional_section({"floor", "", "The map of irradiance on the floor."}, into(s.floor, describe_floor));
         in.optional_section({"beams", "", "Beams of light in the water, for fields, places and pictures of it."},

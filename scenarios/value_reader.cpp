@@ -64,6 +64,18 @@ struct Reading {
     bool operator()(glm::ivec2* t) const { return store(t, pair<glm::ivec2>(integer_in)); }
     bool operator()(glm::dvec3* t) const { return store(t, triple<glm::dvec3>(number_in)); }
     bool operator()(std::optional<glm::ivec3>* t) const { return store(t, triple<glm::ivec3>(integer_in)); }
+    bool operator()(std::vector<double>* t) const {
+        const toml::array* list = node.as_array();
+        if (!list || list->empty()) return false;
+        std::vector<double> values;
+        for (const toml::node& element : *list) {
+            const auto one = number_in(key.range, element);
+            if (!one) return false;
+            values.push_back(*one);
+        }
+        *t = values;
+        return true;
+    }
     bool operator()(const Choice& choice) const {
         const auto index = index_in(choice.names, text_of(node, raw));
         if (index) choice.select(static_cast<int>(*index));

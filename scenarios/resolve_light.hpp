@@ -1,0 +1,11 @@
+// The light that a scenario asks for.
+#pragma once
+
+#include "scenarios/scenario.hpp"
+
+namespace waterlight {
+
+/// Wavelengths with their shares and their water, in the scenario's order; none for light of one colour.
+std::vector<Band> bands_of(const Scenario& scenario);
+
+}  // namespace waterlight
