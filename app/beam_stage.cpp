@@ -26,12 +26,12 @@ void BeamStage::draw(const Surface& surface) {
 }
 
 void BeamStage::add_frame() {
-    const BeamLedger& ledger = beams_.ledger;
+    const LightLedger ledger = light_ledger(beams_.ledger, scenario_.optics);
     record_.last_ledger = ledger;
-    record_.sum = record_.sum + ledger;
+    record_.sum += ledger;
     record_.closure = std::max(record_.closure, ledger.closure());
     if (ledger.incident_w > 0)
-        record_.discarded_fraction = std::max(record_.discarded_fraction, ledger.discarded_w / ledger.incident_w);
+        record_.discarded_fraction = std::max(record_.discarded_fraction, ledger.lost_w / ledger.incident_w);
     if (volume()) add_volume();
     if (!image()) return;
     double sum = 0, most = 0;

@@ -5,6 +5,7 @@
 
 #include "caustics/beam_refine.hpp"
 #include "caustics/beam_volume.hpp"
+#include "caustics/light_ledger.hpp"
 #include "scenarios/scenario.hpp"
 
 namespace waterlight {
@@ -20,7 +21,7 @@ struct SliceStatistics {
 
 /// The light in the water over the run.
 struct BeamRecord {
-    BeamLedger last_ledger, sum;
+    LightLedger last_ledger, sum;
     double closure = 0;             ///< largest
     double discarded_fraction = 0;  ///< largest
     // Where there are fields:
@@ -43,6 +44,8 @@ class BeamStage {
     /// Takes the frame just computed into the record.
     void add_frame();
     BeamRecord record() const;
+    /// Of the last frame taken into the record.
+    const LightLedger& ledger() const { return record_.last_ledger; }
     /// Downward irradiance (W/m2) at a place below still water.
     double irradiance_at(glm::dvec2 at_m, double depth_m) const;
 

@@ -18,11 +18,18 @@ namespace {
 /// The two-pass map, by either back-end.
 class TwoPassStage final : public FloorStage {
   public:
-    TwoPassStage(const FloorPlan& plan, LitMapper lit) : plan_(plan), lit_(std::move(lit)) {}
+    TwoPassStage(const FloorSettings& settings, LitMapper lit)
+        : plan_(settings.plan), optics_(settings.optics), lit_(std::move(lit)) {}
     void compute(const Surface& surface, FloorMap& map) override { lit_.mapper->compute(surface, map); }
     double error_estimate() const override { return std::numeric_limits<double>::quiet_NaN(); }
     double irradiance_at(const Surface&, const FloorMap& map, glm::dvec2 at_m) const override {
         return pixel_at(plan_, map.irradiance, at_m);
+    }
+    LightLedger ledger(const FloorMap& map) const override {
+        if (!lit_.spectral) return light_ledger(map.ledger, optics_);
+        LightLedger sum;
+        for (const BandMap& band : lit_.spectral->maps()) sum += light_ledger(band.map.ledger, band.band.optics);
+        return sum;
     }
     std::span<const BandMap> bands() const override {
         return lit_.spectral ? std::span<const BandMap>(lit_.spectral->maps()) : std::span<const BandMap>();
@@ -30,6 +37,7 @@ class TwoPassStage final : public FloorStage {
 
   private:
     FloorPlan plan_;
+    WaterOptics optics_;
     LitMapper lit_;
 };
 
@@ -47,6 +55,7 @@ class TruthStage final : public FloorStage {
         error_ = truth.error_estimate;
     }
     double error_estimate() const override { return error_; }
+    LightLedger ledger(const FloorMap& map) const override { return light_ledger(map.ledger, settings_.floor.optics); }
 
     double irradiance_at(const Surface& surface, const FloorMap& map, glm::dvec2 at_m) const override {
         const FloorPlan& plan = settings_.floor.plan;
@@ -126,7 +135,7 @@ std::unique_ptr<FloorStage> make_floor_stage(const Scenario& scenario, const Bui
     FloorMaker make = make_floor_cpu;
     if (decision.backend == Backend::vulkan)
         make = [context = decision.context](const FloorSettings& s) { return make_floor_vulkan(s, context); };
-    return std::make_unique<TwoPassStage>(settings.plan, make_lit_mapper(scenario, settings, make));
+    return std::make_unique<TwoPassStage>(settings, make_lit_mapper(scenario, settings, make));
 }
 
 }  // namespace waterlight

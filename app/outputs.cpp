@@ -7,6 +7,7 @@
 #include <limits>
 #include <regex>
 
+#include "app/ledger_table.hpp"
 #include "export/colour_picture.hpp"
 #include "export/exr.hpp"
 #include "export/frames.hpp"
@@ -51,6 +52,16 @@ Field<float> wet_part(const Surface& surface, double wet_m) {
     return shown;
 }
 
+std::vector<std::string> columns_of_ledgers(const Scenario& scenario) {
+    std::vector<std::string> columns;
+    const auto add = [&](const std::string& follower) {
+        for (std::string& column : ledger_columns(follower)) columns.push_back(std::move(column));
+    };
+    if (scenario.floor) add("floor");
+    if (scenario.beams) add("beams");
+    return columns;
+}
+
 Surface copy_of(const Surface& surface, const OutputSection& settings, double still_depth_m) {
     const auto copy_if = [](bool wanted, const std::optional<Field<float>>& field) {
         return wanted && field ? std::optional(field->clone()) : std::nullopt;
@@ -82,7 +93,9 @@ fs::path made_folder(fs::path folder) {
 /// Names that only a run of ours gives to files.
 constexpr const char* our_names =
     "(surface|floor|volume)\\.pvd|(surface/surface|floor/floor|volume/volume)_[0-9]{6,}\\.vti|"
-    "images/(elevation|irradiance|radiance|colour)(16)?_[0-9]{6,}\\.(png|exr)|probes\\.csv|extremes\\.vti|runup\\.csv";
+    "images/"
+    "(elevation|irradiance|radiance|colour)(16)?_[0-9]{6,}\\.(png|exr)|(probes|ledger)\\.csv|extremes\\.vti|runup\\."
+    "csv";
 
 void remove_stale(const fs::path& folder, const std::set<fs::path>& written) {
     const std::regex ours(our_names);
@@ -127,6 +140,10 @@ Outputs::Outputs(fs::path folder, const Scenario& scenario, double still_irradia
       has_picture_(scenario.camera.has_value()),
       radiance_max_(scenario.camera ? scenario.camera->radiance_max : std::nullopt) {
     if (scenario.floor) plan_ = floor_settings(scenario).plan;
+    if (const std::vector<std::string> ledgers = columns_of_ledgers(scenario); !ledgers.empty()) {
+        ledgers_.emplace(folder_ / "ledger.csv", ledgers);
+        written_.insert(folder_ / "ledger.csv");
+    }
     if (scenario.probes.empty()) return;
     const std::vector<std::string> columns = probe_columns(scenario);
     probes_.emplace(folder_ / "probes.csv", columns);
@@ -149,6 +166,7 @@ void Outputs::push(const FrameView& view, std::vector<double> probes) {
     const bool pictures = settings_.wants("png") || settings_.wants("png16");
     if (pictures && surface.depth) frame.shown = wet_part(surface, wet_m_);
     frame.probes = std::move(probes);
+    frame.ledgers = ledger_row(view.ledgers);
     const std::size_t bytes = frame.bytes();
     queue_.push(bytes, [this, frame = std::move(frame)] { write(frame); });
 }
@@ -199,6 +217,7 @@ void Outputs::write(const FrameFiles& frame) {
     if (settings_.wants("png16")) write_greys(frame);
     if (settings_.wants("exr")) write_exrs(frame);
     if (probes_) probes_->append(time_s, frame.probes);
+    if (ledgers_) ledgers_->append(time_s, frame.ledgers);
     ++frame_;
 }
 
@@ -301,6 +320,7 @@ std::vector<std::string> Outputs::guide() const {
     if (has_end_ && settings_.wants("vti") && wants_extremes(settings_))
         add(folder_ / "extremes.vti", "highest water, speed, arrival: ParaView, or python3-vtk9");
     if (probes_) add(folder_ / "probes.csv", "gauges: any spreadsheet");
+    if (ledgers_) add(folder_ / "ledger.csv", "where the light went: any spreadsheet");
     add(folder_ / "report.json", "numbers, checks, times: any text editor");
     return lines;
 }

@@ -11,6 +11,7 @@
 
 #include "caustics/beam_image.hpp"
 #include "caustics/beam_volume.hpp"
+#include "caustics/light_ledger.hpp"
 #include "caustics/spectral_floor.hpp"
 #include "export/probes.hpp"
 #include "export/queue.hpp"
@@ -29,7 +30,8 @@ struct FrameView {
     const FloorMap* floor = nullptr;
     const BeamVolume* volume = nullptr;
     const BeamImage* picture = nullptr;
-    std::span<const BandMap> bands = {};  ///< of light in colour
+    std::span<const BandMap> bands = {};    ///< of light in colour
+    std::vector<LightLedger> ledgers = {};  ///< of the floor map and of the beams, those there are
 };
 
 /// The map of one wavelength.
@@ -48,6 +50,7 @@ struct FrameFiles {
     Field<float> plane_irradiance, scalar_irradiance;  ///< in the water; empty without fields
     Field<float> radiance;                             ///< empty without a camera
     std::vector<double> probes;
+    std::vector<double> ledgers;  ///< a row of ledger.csv
 
     std::size_t bytes() const;
 };
@@ -101,6 +104,7 @@ class Outputs {
     std::optional<double> radiance_max_;  ///< of the pictures: as the scenario says, else the largest so far
     double radiance_so_far_ = 0;
     std::optional<ProbeTable> probes_;
+    std::optional<ProbeTable> ledgers_;  ///< where light is followed
     bool has_end_ = false;
     int frame_ = 0;
     std::set<std::filesystem::path> written_;

@@ -29,11 +29,19 @@ std::string hash_of(const Origin& origin) {
     return fmt::format("fnv1a64:{:016x}", hash);
 }
 
-Json ledger_json(const FloorLedger& l, double per) {
-    return {{"incident_w", l.incident_w * per},   {"entered_w", l.entered_w * per},
-            {"reflected_w", l.reflected_w * per}, {"extinguished_w", l.extinguished_w * per},
-            {"floor_w", l.floor_w * per},         {"outside_w", l.outside_w * per},
-            {"lost_w", l.lost_w * per},           {"closure", l.closure()}};
+Json ledger_json(const LightLedger& l) {
+    return {{"incident_w", l.incident_w}, {"entered_w", l.entered_w},     {"reflected_w", l.reflected_w},
+            {"absorbed_w", l.absorbed_w}, {"scattered_w", l.scattered_w}, {"floor_w", l.floor_w},
+            {"walls_w", l.walls_w},       {"outside_w", l.outside_w},     {"lost_w", l.lost_w},
+            {"closure", l.closure()}};
+}
+
+/// Of all frames together, the last, and the largest part that a frame leaves unaccounted for; each frame's is a row of
+/// ledger.csv.
+Json ledgers_json(const LightLedger& sum, const LightLedger& last, double worst_closure, int frames) {
+    return {{"mean_over_frames", ledger_json(sum.scaled(1.0 / frames))},
+            {"last_frame", ledger_json(last)},
+            {"worst_closure", worst_closure}};
 }
 
 Json floor_json(const FloorRecord& floor, FloorMethod method) {
@@ -47,20 +55,6 @@ Json floor_json(const FloorRecord& floor, FloorMethod method) {
     else
         json["window"] = {{"samples", floor.window.samples}, {"channels", floor.window.channels}};
     return json;
-}
-
-/// What is extinguished is absorbed or scattered, in the proportion of the two coefficients.
-Json ledger_json(const BeamLedger& l, const WaterOptics& optics, double per) {
-    const double extinction = optics.extinction_per_m();
-    const double scattered = extinction > 0 ? l.extinguished_w * optics.scattering_per_m / extinction : 0;
-    return {{"incident_w", l.incident_w * per},
-            {"reflected_w", l.reflected_w * per},
-            {"absorbed_w", (l.extinguished_w - scattered) * per},
-            {"scattered_w", scattered * per},
-            {"floor_w", l.floor_w * per},
-            {"outside_w", l.outside_w * per},
-            {"discarded_w", l.discarded_w * per},
-            {"closure", l.closure()}};
 }
 
 Json slices_json(const std::vector<SliceStatistics>& slices) {
@@ -77,9 +71,7 @@ Json slices_json(const std::vector<SliceStatistics>& slices) {
 Json beams_json(const BeamRecord& record, const Scenario& scenario, int frames) {
     Json json{{"backend", "cpu"},
               {"grid", {scenario.beams->grid.x, scenario.beams->grid.y}},
-              {"ledger",
-               {{"mean_over_frames", ledger_json(record.sum, scenario.optics, 1.0 / frames)},
-                {"last_frame", ledger_json(record.last_ledger, scenario.optics, 1)}}}};
+              {"ledger", ledgers_json(record.sum, record.last_ledger, record.closure, frames)}};
     if (scenario.beams->volume_cells)
         json["volume"] = {{"flux_error", record.flux_error},
                           {"brightest_depth_m", record.brightest_depth_m},
@@ -162,8 +154,8 @@ nlohmann::ordered_json report_json(const Scenario& scenario, const BackendDecisi
                        {"shorter_than_two_cells_fraction", record.sea->coverage.shorter_fraction},
                        {"significant_height_carried_m", record.sea->significant_height_m()}};
     if (record.floor) {
-        json["ledger"] = {{"mean_over_frames", ledger_json(record.floor->sum, 1.0 / record.frames)},
-                          {"last_frame", ledger_json(record.floor->last_ledger, 1)}};
+        const FloorRecord& floor = *record.floor;
+        json["ledger"] = ledgers_json(floor.sum, floor.last_ledger, floor.closure, record.frames);
         json["floor"] = floor_json(*record.floor, scenario.floor->method);
     }
     if (record.beams) json["beams"] = beams_json(*record.beams, scenario, record.frames);

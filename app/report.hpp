@@ -41,10 +41,10 @@ struct ProbeRecord {
 struct FloorRecord {
     FloorStatistics last;
     FloorWindow window;  ///< of the last frame
-    FloorLedger last_ledger;
-    FloorLedger sum;           ///< over the frames
+    LightLedger last_ledger;
+    LightLedger sum;           ///< over the frames
     double lost_fraction = 0;  ///< largest
-    double closure = 0;        ///< largest
+    double closure = 0;        ///< largest of a frame
     double truth_error = 0;    ///< NaN where the method has none
 };
 

@@ -186,7 +186,7 @@ class Run {
             if (shallow_ && watched) shallow_->add_totals();
             recorder_.add_frame(time_s);
             if (floor_) {
-                recorder_.add_floor(map_, floor_->error_estimate());
+                recorder_.add_floor(map_, floor_->ledger(map_), floor_->error_estimate());
                 if (last) recorder_.add_statistics(map_);
             }
             if (beams_) beams_->add_frame();
@@ -195,7 +195,15 @@ class Run {
         const BeamVolume* volume = beams_ ? beams_->volume() : nullptr;
         const BeamImage* picture = beams_ ? beams_->image() : nullptr;
         const std::span<const BandMap> bands = floor_ ? floor_->bands() : std::span<const BandMap>();
-        outputs.push({*surface_, floor_ ? &map_ : nullptr, volume, picture, bands}, std::move(probes));
+        outputs.push({*surface_, floor_ ? &map_ : nullptr, volume, picture, bands, ledgers()}, std::move(probes));
+    }
+
+    /// Of the frame just recorded, in the order of the columns of ledger.csv.
+    std::vector<LightLedger> ledgers() {
+        std::vector<LightLedger> all;
+        if (floor_) all.push_back(recorder_.record().floor->last_ledger);
+        if (beams_) all.push_back(beams_->ledger());
+        return all;
     }
 
     void record_row(double time_s, Outputs& outputs) {

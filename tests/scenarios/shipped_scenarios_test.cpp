@@ -96,6 +96,15 @@ const std::vector<Shipped> all{{"pool", "2.0"},
                                {"open_sea_below", "2.0"},
                                {"harbour", "1.0"}};
 
+/// DESIGN's ledger: in every frame, and of all who follow the light, it closes to 1e-4.
+void expect_ledgers_close(const Shipped& shipped, const nlohmann::json& report) {
+    constexpr double most = 1e-4;
+    const Scenario scenario = read_scenario(path_of(shipped));
+    const auto expect = [&](const nlohmann::json& ledger) { EXPECT_LE(ledger["worst_closure"].get<double>(), most); };
+    if (scenario.floor) expect(report["ledger"]);
+    if (scenario.beams) expect(report["beams"]["ledger"]);
+}
+
 class ShippedScenario : public ::testing::TestWithParam<Shipped> {
   protected:
     void SetUp() override {
@@ -121,6 +130,7 @@ TEST_P(ShippedScenario, MeetsItsChecksOnTheCpu) {
     EXPECT_EQ(fs::exists(out / "out/images/irradiance_000000.png"), has_floor(GetParam()));
     EXPECT_EQ(fs::exists(out / "out/volume.pvd"), has_volume(GetParam()));
     EXPECT_EQ(fs::exists(out / "out/images/radiance_000000.png"), has_camera(GetParam()));
+    expect_ledgers_close(GetParam(), nlohmann::json::parse(read_file(out / "out/report.json")));
 }
 
 TEST_P(ShippedScenario, MeetsItsChecksOnVulkanWithValidationSilent) {
@@ -144,6 +154,7 @@ TEST_P(ShippedScenario, MeetsItsChecksOnVulkanWithValidationSilent) {
     EXPECT_EQ(outcome.exit, 0) << outcome.output;
     const auto report = nlohmann::json::parse(read_file(out / "out/report.json"));
     EXPECT_EQ(report["backend"]["name"], "vulkan");
+    expect_ledgers_close(GetParam(), report);
 }
 
 TEST_P(ShippedScenario, MapsOfBothBackEndsAgree) {
