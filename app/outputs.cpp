@@ -15,6 +15,7 @@
 #include "export/picture.hpp"
 #include "export/runup.hpp"
 #include "scenarios/resolve.hpp"
+#include "scenarios/resolve_light.hpp"
 #include "sim/error.hpp"
 
 namespace waterlight {
@@ -59,6 +60,7 @@ std::vector<std::string> columns_of_ledgers(const Scenario& scenario) {
     };
     if (scenario.floor) add("floor");
     if (scenario.beams) add("beams");
+    if (scenario.walls) add("walls");
     return columns;
 }
 
@@ -92,9 +94,11 @@ fs::path made_folder(fs::path folder) {
 
 /// Names that only a run of ours gives to files.
 constexpr const char* our_names =
-    "(surface|floor|volume)\\.pvd|(surface/surface|floor/floor|volume/volume)_[0-9]{6,}\\.vti|"
+    "(surface|floor|volume|walls)\\.pvd|walls/(west|east|south|north)_[0-9]{6,}\\.vti|(surface/surface|floor/"
+    "floor|volume/volume)_[0-9]{6,}\\.vti|"
     "images/"
-    "(elevation|irradiance|radiance|colour)(16)?_[0-9]{6,}\\.(png|exr)|(probes|ledger)\\.csv|extremes\\.vti|runup\\."
+    "(elevation|irradiance|radiance|colour|wall_(west|east|south|north))(16)?_[0-9]{6,}\\.(png|exr)|(probes|ledger)\\."
+    "csv|extremes\\.vti|runup\\."
     "csv";
 
 void remove_stale(const fs::path& folder, const std::set<fs::path>& written) {
@@ -103,7 +107,8 @@ void remove_stale(const fs::path& folder, const std::set<fs::path>& written) {
         return std::regex_match(path.lexically_relative(folder).generic_string(), ours);
     };
     std::vector<fs::path> stale;
-    for (const fs::path& sub : {folder, folder / "surface", folder / "floor", folder / "volume", folder / "images"}) {
+    for (const fs::path& sub :
+         {folder, folder / "surface", folder / "floor", folder / "volume", folder / "walls", folder / "images"}) {
         std::error_code ignored;
         for (const fs::directory_entry& entry : fs::directory_iterator(sub, ignored))
             if (is_ours(entry.path()) && !written.contains(entry.path())) stale.push_back(entry.path());
@@ -122,6 +127,7 @@ std::size_t FrameFiles::bytes() const {
         surface.elevation.size() + surface.slope_x.size() + surface.slope_y.size() + irradiance.size() + shown.size();
     for (const auto* field : {&surface.velocity_x, &surface.velocity_y, &surface.depth})
         if (*field) count += (*field)->size();
+    for (const Field<float>& wall : walls) count += wall.size();
     for (const BandFiles& band : bands) count += band.irradiance.size();
     count += plane_irradiance.size() + scalar_irradiance.size() + radiance.size();
     return count * sizeof(float);
@@ -136,10 +142,12 @@ Outputs::Outputs(fs::path folder, const Scenario& scenario, double still_irradia
       surface_series_(folder_, "surface", settings_.compression),
       floor_series_(folder_, "floor", settings_.compression),
       volume_series_(folder_, "volume", settings_.compression),
+      walls_series_(folder_, "walls", settings_.compression),
       has_volume_(scenario.beams && scenario.beams->volume_cells),
       has_picture_(scenario.camera.has_value()),
       radiance_max_(scenario.camera ? scenario.camera->radiance_max : std::nullopt) {
     if (scenario.floor) plan_ = floor_settings(scenario).plan;
+    if (scenario.walls) walls_ = wall_settings(scenario);
     if (const std::vector<std::string> ledgers = columns_of_ledgers(scenario); !ledgers.empty()) {
         ledgers_.emplace(folder_ / "ledger.csv", ledgers);
         written_.insert(folder_ / "ledger.csv");
@@ -155,6 +163,8 @@ void Outputs::push(const FrameView& view, std::vector<double> probes) {
     FrameFiles frame;
     frame.surface = copy_of(surface, settings_, depth_m_);
     if (view.floor) frame.irradiance = view.floor->irradiance.clone();
+    for (std::size_t w = 0; view.walls && w < frame.walls.size(); ++w)
+        frame.walls[w] = view.walls->irradiance[w].clone();
     for (const BandMap& band : view.bands)
         frame.bands.push_back({band.band.wavelength_nm, band.band.share, band.map.irradiance.clone()});
     if (view.volume && settings_.wants("vti")) {
@@ -208,6 +218,20 @@ void Outputs::write_fields(const FrameFiles& frame) {
                                                           frame.plane_irradiance, frame.scalar_irradiance)));
         written_.insert(folder_ / "volume.pvd");
     }
+    if (walls_) write_walls(frame);
+}
+
+void Outputs::write_walls(const FrameFiles& frame) {
+    const WaterBody water{frame.surface.grid, depth_m_, frame.surface.time_s};
+    std::vector<VtiPart> parts;
+    for (int wall = 0; wall < 4; ++wall) {
+        const Field<float>& map = frame.walls[static_cast<std::size_t>(wall)];
+        if (map.empty()) continue;
+        const WallPlan plan = wall_plan(*walls_, water.grid, wall);
+        parts.push_back({std::string(wall_names[static_cast<std::size_t>(wall)]), wall_frame(water, wall, plan, map)});
+    }
+    for (const fs::path& path : walls_series_.write_parts(parts)) written_.insert(path);
+    written_.insert(folder_ / "walls.pvd");
 }
 
 void Outputs::write(const FrameFiles& frame) {
@@ -239,6 +263,7 @@ void Outputs::write_pictures(const FrameFiles& frame) {
                                     .missing = ground_colour};
     write_picture(image("elevation", "png"), frame.shown.empty() ? frame.surface.elevation : frame.shown, elevation);
     if (has_picture_) write_radiance(frame);
+    if (walls_) write_wall_pictures(frame);
     if (!plan_) return;
     const PictureSettings irradiance{.map = ColourMap::viridis,
                                      .range = {0, irradiance_max_},
@@ -248,6 +273,20 @@ void Outputs::write_pictures(const FrameFiles& frame) {
                                      .pitch_m = plan_->pitch_m};
     write_picture(image("irradiance", "png"), frame.irradiance, irradiance);
     if (frame.bands.size() == 3) write_colour(frame);
+}
+
+void Outputs::write_wall_pictures(const FrameFiles& frame) {
+    for (int wall = 0; wall < 4; ++wall) {
+        const auto w = static_cast<std::size_t>(wall);
+        if (frame.walls[w].empty()) continue;
+        write_picture(image(fmt::format("wall_{}", wall_names[w]), "png"), frame.walls[w],
+                      {.map = ColourMap::viridis,
+                       .range = {0, irradiance_max_},
+                       .quantity = fmt::format("Irradiance on the {} wall", wall_names[w]),
+                       .unit = "W/m\u00b2",
+                       .time_s = frame.surface.time_s,
+                       .pitch_m = wall_plan(*walls_, frame.surface.grid, wall).pitch_m});
+    }
 }
 
 /// The longest wavelength is red; sunlight of the brightness at the end of the pictures' colours is white.
@@ -313,6 +352,7 @@ std::vector<std::string> Outputs::guide() const {
     if (settings_.wants("vti")) {
         add(folder_ / "surface.pvd", "surface in time: ParaView, or python3-vtk9");
         if (has_volume_) add(folder_ / "volume.pvd", "irradiance in the water in time: ParaView, or python3-vtk9");
+        if (walls_) add(folder_ / "walls.pvd", "irradiance on the walls in time: ParaView, or python3-vtk9");
         if (plan_) add(folder_ / "floor.pvd", "floor irradiance in time: ParaView, or python3-vtk9");
     }
     if (settings_.wants("exr")) add(folder_ / "images" / "*.exr", "full precision: any OpenEXR viewer");

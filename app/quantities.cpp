@@ -40,6 +40,12 @@ void add_beams(const BeamRecord& beams, std::map<std::string, double>& q) {
     q["camera.max_radiance"] = beams.max_radiance;
 }
 
+void add_walls(const WallRecord& walls, std::map<std::string, double>& q) {
+    q["walls.ledger_closure"] = walls.closure;
+    for (std::size_t w = 0; w < wall_names.size(); ++w)
+        q[fmt::format("walls.{}", wall_names[w])] = walls.last_power_w[w];
+}
+
 }  // namespace
 
 double SeaRecord::significant_height_m() const {
@@ -84,6 +90,7 @@ std::map<std::string, double> quantities_of(const RunRecord& r) {
         q["floor.truth_error"] = r.floor->truth_error;
     }
     if (r.beams) add_beams(*r.beams, q);
+    if (r.walls) add_walls(*r.walls, q);
     for (const auto& [name, probe] : r.probes) {
         const std::string prefix = fmt::format("probe.{}.", name);
         q[prefix + "elevation"] = probe.elevation;

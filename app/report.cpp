@@ -110,6 +110,7 @@ Json wall_json(const StageTimes& wall) {
     return {{"waves", wall.waves},
             {"caustics.floor", wall.floor},
             {"caustics.beams", wall.beams},
+            {"caustics.walls", wall.walls},
             {"render", 0.0},
             {"export", wall.export_busy},
             {"export_waited", wall.export_blocked},
@@ -159,6 +160,11 @@ nlohmann::ordered_json report_json(const Scenario& scenario, const BackendDecisi
         json["floor"] = floor_json(*record.floor, scenario.floor->method);
     }
     if (record.beams) json["beams"] = beams_json(*record.beams, scenario, record.frames);
+    if (record.walls) {
+        const WallRecord& walls = *record.walls;
+        json["walls"] = {{"backend", "cpu"},
+                         {"ledger", ledgers_json(walls.sum, walls.last_ledger, walls.closure, record.frames)}};
+    }
     if (record.shallow) json["shallow_water"] = shallow_json(*record.shallow);
     json["mass_drift_m"] = record.waves.mass_drift_m;
     json["energy_drift"] = record.waves.energy_drift;

@@ -15,6 +15,7 @@
 #include "app/readings.hpp"
 #include "app/recorder.hpp"
 #include "app/shallow_watch.hpp"
+#include "app/wall_stage.hpp"
 #include "caustics/kernels/optics.hpp"
 #include "export/report.hpp"
 #include "scenarios/build.hpp"
@@ -109,6 +110,7 @@ class Run {
           floor_(scenario.floor ? make_floor_stage(scenario, waves_, backend_) : nullptr),
           recorder_(scenario) {
         if (scenario.beams) beams_.emplace(scenario);
+        if (scenario.walls) walls_.emplace(scenario);
     }
 
     bool go() {
@@ -160,6 +162,7 @@ class Run {
         look();
         if (floor_) timed(wall().floor, [&] { floor_->compute(*surface_, map_); });
         if (beams_) timed(wall().beams, [&] { beams_->compute(*surface_); });
+        if (walls_) timed(wall().walls, [&] { walls_->compute(*surface_); });
     }
 
     /// As a probe reads it: in the water, or on the floor.
@@ -190,12 +193,15 @@ class Run {
                 if (last) recorder_.add_statistics(map_);
             }
             if (beams_) beams_->add_frame();
+            if (walls_) walls_->add_frame();
             probes = recorder_.add_probes(*surface_, [this](const Probe& probe) { return irradiance_at(probe); });
         });
         const BeamVolume* volume = beams_ ? beams_->volume() : nullptr;
         const BeamImage* picture = beams_ ? beams_->image() : nullptr;
         const std::span<const BandMap> bands = floor_ ? floor_->bands() : std::span<const BandMap>();
-        outputs.push({*surface_, floor_ ? &map_ : nullptr, volume, picture, bands, ledgers()}, std::move(probes));
+        const WallMaps* walls = walls_ ? &walls_->maps() : nullptr;
+        outputs.push({*surface_, floor_ ? &map_ : nullptr, volume, picture, walls, bands, ledgers()},
+                     std::move(probes));
     }
 
     /// Of the frame just recorded, in the order of the columns of ledger.csv.
@@ -203,6 +209,7 @@ class Run {
         std::vector<LightLedger> all;
         if (floor_) all.push_back(recorder_.record().floor->last_ledger);
         if (beams_) all.push_back(beams_->ledger());
+        if (walls_) all.push_back(walls_->maps().ledger);
         return all;
     }
 
@@ -232,6 +239,7 @@ class Run {
         record.waves.model = waves_.model->name();
         record.waves.steps = waves_.model->steps();
         if (beams_) record.beams = beams_->record();
+        if (walls_) record.walls = walls_->record();
         if (waves_.airy && !waves_.sea.empty()) record.sea = SeaRecord{waves_.airy->sea_coverage(), waves_.sea};
         const std::vector<CheckResult> checks = judge(scenario_.checks, quantities_of(record));
         write_json(out_ / "report.json", report_json(scenario_, backend_, record, checks));
@@ -269,6 +277,7 @@ class Run {
     BuiltModel waves_;
     std::unique_ptr<FloorStage> floor_;
     std::optional<BeamStage> beams_;
+    std::optional<WallStage> walls_;
     Recorder recorder_;
     std::optional<ShallowWatch> shallow_;
     const Surface* surface_ = nullptr;

@@ -5,6 +5,8 @@
 #include <set>
 
 #include "scenarios/combinations.hpp"
+#include "scenarios/resolve.hpp"
+#include "scenarios/resolve_light.hpp"
 
 namespace waterlight {
 
@@ -55,6 +57,19 @@ void check_water(const Scenario& s) {
                             "coefficients");
 }
 
+void check_walls(const Scenario& s) {
+    const Boundary boundary = resolve_boundary(s);
+    if (boundary.x != Side::wall && boundary.y != Side::wall)
+        s.origin.reject("caustics.walls", "it without a side that is a wall", "waves.boundary with a wall");
+    constexpr double most = 1e8;
+    const WallSettings settings = wall_settings(s);
+    const double around = 2 * (s.domain.size_m.x + s.domain.size_m.y);
+    const double pixels = around * (settings.depth_m + settings.above_m) / (settings.pixel_m * settings.pixel_m);
+    if (pixels > most)
+        s.origin.reject("caustics.walls.pixel_m",
+                        fmt::format("{}, which makes {:.3g} pixels", settings.pixel_m, pixels), "at most 1e8 pixels");
+}
+
 }  // namespace
 
 void check_light(const Scenario& s) {
@@ -63,6 +78,7 @@ void check_light(const Scenario& s) {
     check_list(s, "water.absorption_by_band_per_m", s.water_colour.absorption_by_band_per_m);
     check_list(s, "water.scattering_by_band_per_m", s.water_colour.scattering_by_band_per_m);
     check_water(s);
+    if (s.walls) check_walls(s);
     const bool coloured = wavelengths_in(s) > 0, disc = s.sun.disc_deg.has_value();
     const std::string key(disc ? "light.disc_deg" : colour_key(s));
     if ((coloured || disc) && !s.floor) s.origin.reject(key, "it without [caustics.floor]", "a floor map to show it");

@@ -18,6 +18,12 @@ struct SunSection {
     std::vector<double> shares;          ///< of E0; empty: a black body's
 };
 
+/// Pool walls as receivers of light.
+struct WallsSection {
+    double pixel_m = 0.01;
+    double above_m = 0.1;
+};
+
 struct WaterColourSection {
     WaterState state;
     std::vector<double> absorption_by_band_per_m;  ///< in place of pure water's; empty: pure water

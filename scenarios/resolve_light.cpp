@@ -1,5 +1,7 @@
 #include "scenarios/resolve_light.hpp"
 
+#include <cassert>
+
 namespace waterlight {
 
 namespace {
@@ -25,6 +27,15 @@ std::vector<Band> bands_of(const Scenario& scenario) {
         bands.push_back({wavelengths[i], shares[i], optics});
     }
     return bands;
+}
+
+WallSettings wall_settings(const Scenario& scenario) {
+    assert(scenario.walls);
+    return {.pixel_m = scenario.walls->pixel_m,
+            .above_m = scenario.walls->above_m,
+            .depth_m = scenario.domain.depth_m,
+            .sun = scenario.light,
+            .optics = scenario.optics};
 }
 
 }  // namespace waterlight

@@ -128,7 +128,7 @@ struct Check {
 struct Scenario {
     std::string title;
     DomainSection domain;
-    Water water;  ///< its depth is the domain's
+    Water water;         ///< its depth is the domain's
     WaterOptics optics;  ///< of light of one colour
     WaterColourSection water_colour;
     WavesSection waves;
@@ -136,6 +136,7 @@ struct Scenario {
     SunSection sun;
     std::optional<FloorSection> floor;
     std::optional<BeamsSection> beams;
+    std::optional<WallsSection> walls;
     std::optional<CameraSection> camera;
     OutputSection output;
     std::vector<Probe> probes;

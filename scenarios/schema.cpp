@@ -257,6 +257,8 @@ void describe(Visitor& v, Scenario& s) {
         in.optional_section({"floor", "", "The map of irradiance on the floor."}, into(s.floor, describe_floor));
         in.optional_section({"beams", "", "Beams of light in the water, for fields, places and pictures of it."},
                             into(s.beams, describe_beams));
+        in.optional_section({"walls", "", "Maps of irradiance on the walls, of sides with boundary \"wall\"."},
+                            into(s.walls, describe_walls));
     });
     v.optional_section({"camera", "", "A picture of the light that the water scatters; needs caustics.beams."},
                        into(s.camera, describe_camera));

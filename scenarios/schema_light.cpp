@@ -34,6 +34,17 @@ void describe_sun(Visitor& v, SunSection& s) {
             &s.shares);
 }
 
+void describe_walls(Visitor& v, WallsSection& s) {
+    v.value({"pixel_m",
+             "m",
+             "Size of a pixel at most; whole pixels fill a wall's length and depth.",
+             {.low = 0, .excludes_low = true}},
+            &s.pixel_m);
+    v.value({"above_m", "m", "How far the maps reach above still water, for crests; light above it is outside.",
+             not_negative},
+            &s.above_m);
+}
+
 void describe_water_colour(Visitor& v, WaterColourSection& s) {
     v.value({"temperature_c",
              "deg C",

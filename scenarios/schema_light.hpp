@@ -1,4 +1,4 @@
-// The keys of light in colour and of the sun's disc.
+// The keys of the light that a scenario may ask for: the sun's disc, colour, walls.
 #pragma once
 
 #include "scenarios/scenario.hpp"
@@ -8,6 +8,8 @@ namespace waterlight {
 
 /// Of [light].
 void describe_sun(Visitor& v, SunSection& s);
+/// Of [caustics.walls].
+void describe_walls(Visitor& v, WallsSection& s);
 /// Of [water].
 void describe_water_colour(Visitor& v, WaterColourSection& s);
 

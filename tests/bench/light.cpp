@@ -2,7 +2,8 @@
 // 1024 x 768 pixels over a moving pool.
 #include <benchmark/benchmark.h>
 
-#include "caustics/sun_disc.hpp"
+#include "caustics/spectral_floor.hpp"
+#include "caustics/walls.hpp"
 #include "tests/support/surfaces.hpp"
 
 namespace waterlight::bench {
@@ -39,6 +40,22 @@ void sun_disc(benchmark::State& state) {
     time(state, *make_sun_disc(settings(), wanted / radius, make_floor_cpu));
 }
 
+/// Three wavelengths.
+void colour(benchmark::State& state) {
+    const std::vector<double> nm{650, 550, 450}, shares = black_body_shares(nm);
+    std::vector<Band> bands;
+    for (std::size_t k = 0; k < nm.size(); ++k) bands.push_back({nm[k], shares[k], optics_at(nm[k], {}, {})});
+    SpectralFloor mapper(settings(), bands, make_floor_cpu);
+    time(state, mapper);
+}
+
+/// All four, in pixels of a centimetre.
+void walls(benchmark::State& state) {
+    const WallSettings s{.pixel_m = .01, .above_m = .1, .depth_m = 2, .sun = settings().sun, .optics = {}};
+    WallMaps maps;
+    for (auto _ : state) light_walls(s, pool(), maps);
+}
+
 }  // namespace
 
 BENCHMARK(plain)->Name("light/plain")->Unit(benchmark::kMillisecond)->UseRealTime();
@@ -49,5 +66,8 @@ BENCHMARK(sun_disc)
     ->Arg(160)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
+
+BENCHMARK(colour)->Name("light/colour/3")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(walls)->Name("light/walls")->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace waterlight::bench

@@ -128,6 +128,23 @@ TEST_F(Outputs, InColourEachWavelengthHasItsMapAndTheirSumIsTheMap) {
     EXPECT_LE(report()["ledger"]["worst_closure"].get<double>(), 1e-4);
 }
 
+TEST_F(Outputs, WallsHaveTheirMapsInPlaceAndTheirAccount) {
+    ASSERT_EQ(run({"--set", "caustics.walls={pixel_m=0.02}", "--set", "light.elevation_deg=40", "--set",
+                   "check=[{quantity=\"walls.west\", above=50.0}, {quantity=\"walls.ledger_closure\", below=1e-6}]"})
+                  .exit,
+              0);
+    const std::string series = read_file(out_ / "walls.pvd");
+    for (const char* wall : {"west", "east", "south", "north"}) {
+        EXPECT_TRUE(fs::exists(out_ / fmt::format("walls/{}_000005.vti", wall))) << wall;
+        EXPECT_TRUE(fs::exists(out_ / fmt::format("images/wall_{}_000005.png", wall))) << wall;
+        EXPECT_NE(series.find(fmt::format("walls/{}_000003.vti", wall)), std::string::npos) << series;
+    }
+    const std::string west = read_file(out_ / "walls/west_000000.vti");
+    EXPECT_NE(west.find("WholeExtent=\"0 0 0 50 0 30\""), std::string::npos) << west.substr(0, 600);
+    EXPECT_LE(report()["walls"]["ledger"]["worst_closure"].get<double>(), 1e-6);
+    EXPECT_NE(read_file(out_ / "ledger.csv").find("walls.walls_w"), std::string::npos);
+}
+
 TEST_F(Outputs, OfOneWavelengthTheMapIsThatOfOneColourBitForBit) {
     const std::vector<std::string> water{"--set", "water.absorption_by_band_per_m=[0.1]",
                                          "--set", "water.scattering_by_band_per_m=[0.0]",

@@ -103,6 +103,7 @@ void expect_ledgers_close(const Shipped& shipped, const nlohmann::json& report) 
     const auto expect = [&](const nlohmann::json& ledger) { EXPECT_LE(ledger["worst_closure"].get<double>(), most); };
     if (scenario.floor) expect(report["ledger"]);
     if (scenario.beams) expect(report["beams"]["ledger"]);
+    if (scenario.walls) expect(report["walls"]["ledger"]);
 }
 
 class ShippedScenario : public ::testing::TestWithParam<Shipped> {

@@ -61,6 +61,9 @@ TEST(ScenarioLight, WhatDoesNotGoTogetherIsRejected) {
     expect(rgb, "light.colour", "without [caustics.floor]");
     expect("[light]\ndisc_deg = 0.3\n", "light.disc_deg", "without [caustics.floor]");
     expect(map + "method = \"truth\"\n[light]\ndisc_deg = 0.3\n", "light.disc_deg", "truth");
+    expect("[waves]\nboundary = { x = \"periodic\", y = \"absorbing\" }\n[caustics.walls]\n", "caustics.walls",
+           "without a side that is a wall");
+    expect("[caustics.walls]\npixel_m = 1e-5\n", "caustics.walls.pixel_m", "at most 1e8 pixels");
     expect(map + rgb + "[caustics.beams]\n", "light.colour", "beside [caustics.beams]");
 }
 
