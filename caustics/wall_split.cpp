@@ -22,13 +22,6 @@ double WallSplit::part_of_way(const WallRay& ray, WayEnd end) const {
     return f64::part_inside(ray.start[axis], ray.end[axis], low_[axis], high_[axis]);
 }
 
-bool WallSplit::stays(const std::array<WallRay, 3>& rays) const {
-    for (const WallRay& ray : rays)
-        for (int axis = 0; axis < 2; ++axis)
-            if (!wraps_[axis] && (ray.end[axis] < low_[axis] || ray.end[axis] > high_[axis])) return false;
-    return true;
-}
-
 std::array<Polygon, 3> WallSplit::cut(const std::array<WallRay, 3>& rays, const Polygon& polygon, int axis) const {
     if (wraps_[axis]) return {Polygon{}, polygon, Polygon{}};
     const auto over_low = [&](glm::dvec2 uv) { return ray_at(rays, uv).end[axis] - low_[axis]; };

@@ -33,7 +33,6 @@ class WallSplit {
     void split(const std::array<WallRay, 3>& rays, Take&& take) const {
         Polygon whole;
         for (const glm::dvec2 corner : {glm::dvec2{0, 0}, {1, 0}, {0, 1}}) whole.add(corner);
-        if (stays(rays)) return take(WayEnd::floor, whole);
         const auto parts_x = cut(rays, whole, 0);
         for (int x = -1; x <= 1; ++x) {
             const Polygon& column = parts_x[static_cast<std::size_t>(x + 1)];
@@ -43,13 +42,19 @@ class WallSplit {
         }
     }
 
+    /// Whether all of the light ends on the floor; no ray ends beyond a side that does not repeat.
+    bool stays(const WallRay& a, const WallRay& b, const WallRay& c) const { return stays(a) && stays(b) && stays(c); }
     /// The ray at (u, v) of the triangle.
     static WallRay ray_at(const std::array<WallRay, 3>& rays, glm::dvec2 uv);
     /// Part of a ray's way after which it meets this side.
     double part_of_way(const WallRay& ray, WayEnd end) const;
 
   private:
-    bool stays(const std::array<WallRay, 3>& rays) const;
+    bool stays(const WallRay& ray) const {
+        const bool x = wraps_.x || (ray.end.x >= low_.x && ray.end.x <= high_.x);
+        const bool y = wraps_.y || (ray.end.y >= low_.y && ray.end.y <= high_.y);
+        return x && y;
+    }
     /// What ends below, within and above the domain along an axis.
     std::array<Polygon, 3> cut(const std::array<WallRay, 3>& rays, const Polygon& polygon, int axis) const;
     /// Which is met first of the side in x and the side in y: positive where that in y is.

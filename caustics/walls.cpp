@@ -31,7 +31,8 @@ namespace {
 struct Corner {
     WallRay ray;
     double transmittance = 0;
-    double way_m = 0;  ///< to the ray's end
+    double way_m = 0;      ///< to the ray's end
+    double remaining = 1;  ///< of its light there
 };
 
 /// Power on one pixel of a wall.
@@ -55,6 +56,8 @@ class WallLight {
         sun_ = lit ? settings.sun.direction() : glm::dvec3{0, 0, -1};
         irradiance_ = lit ? settings.sun.irradiance_w_m2 : 0;
         climb_ = surface.tilt * glm::dvec2{surface.grid.width_m(), surface.grid.height_m()};
+        for (int i = 0; i <= surface.grid.nx; ++i)
+            columns_.push_back(between_cells(i, surface.grid.nx, surface.boundary.x));
         for (int wall = 0; wall < 4; ++wall)
             plans_[static_cast<std::size_t>(wall)] = wall_plan(settings, surface.grid, wall);
     }
@@ -91,7 +94,7 @@ class WallLight {
         std::vector<Corner> row;
         row.reserve(static_cast<std::size_t>(g.nx) + 1);
         for (int i = 0; i <= g.nx; ++i) {
-            const f64::AxisPlace x = between_cells(i, g.nx, surface_.boundary.x);
+            const f64::AxisPlace& x = columns_[static_cast<std::size_t>(i)];
             const auto mean = [&](const Field<float>& f, double xl, double xh, double yl, double yh) {
                 return f64::bilinear(xl * yl * f(x.low, y.low), xh * yl * f(x.high, y.low), xl * yh * f(x.low, y.high),
                                      xh * yh * f(x.high, y.high), x.weight, y.weight);
@@ -103,21 +106,29 @@ class WallLight {
             const f64::Refraction r = f64::refract_sun(sun_, slope, n, fresnel);
             const double descent = std::max(0.0, elevation + settings_.depth_m);
             const glm::dvec2 at{g.x0_m + i * g.dx_m, g.y0_m + j * g.dy_m};
-            row.push_back(
-                {{{at, elevation}, {at + descent * r.travel, elevation - descent}}, r.transmittance, descent * r.path});
+            row.push_back({{{at, elevation}, {at + descent * r.travel, elevation - descent}},
+                           r.transmittance,
+                           descent * r.path,
+                           f64::beer_lambert(settings_.optics.extinction_per_m(), descent * r.path)});
         }
         return row;
     }
 
     /// Its incident power is that through its own plane, as in the truth.
     void light_triangle(const std::array<const Corner*, 3>& corners, CellShares& shares, Part& part) const {
-        const std::array<WallRay, 3> rays{corners[0]->ray, corners[1]->ray, corners[2]->ray};
-        const glm::dvec3 twice_area = glm::cross(rays[1].start - rays[0].start, rays[2].start - rays[0].start);
+        const Corner &a = *corners[0], &b = *corners[1], &c = *corners[2];
+        const glm::dvec3 twice_area = glm::cross(b.ray.start - a.ray.start, c.ray.start - a.ray.start);
         const double incident = std::max(0.0, -0.5 * glm::dot(sun_, twice_area)) * irradiance_;
-        const double entered =
-            incident * (corners[0]->transmittance + corners[1]->transmittance + corners[2]->transmittance) / 3;
+        const double entered = incident * (a.transmittance + b.transmittance + c.transmittance) / 3;
         part.incident += incident;
         part.reflected += incident - entered;
+        if (split_.stays(a.ray, b.ray, c.ray)) {
+            const double arrived = entered * (a.remaining + b.remaining + c.remaining) / 3;
+            part.floor += arrived;
+            part.extinguished += entered - arrived;
+            return;
+        }
+        const std::array<WallRay, 3> rays{a.ray, b.ray, c.ray};
         split_.split(rays, [&](WayEnd end, const Polygon& polygon) {
             for (int k = 1; k + 1 < polygon.count; ++k) {
                 const std::array<glm::dvec2, 3> uv{polygon.corner[0], polygon.corner[k], polygon.corner[k + 1]};
@@ -181,6 +192,7 @@ class WallLight {
     glm::dvec3 sun_{0, 0, -1};
     double irradiance_ = 0;
     glm::dvec2 climb_{0, 0};
+    std::vector<f64::AxisPlace> columns_;
     std::array<WallPlan, 4> plans_;
 };
 
