@@ -30,9 +30,9 @@ std::array<Polygon, 3> WallSplit::cut(const std::array<WallRay, 3>& rays, const 
             part_where(polygon, over_high, 1)};
 }
 
-double WallSplit::x_after_y(const WallRay& ray, glm::ivec2 beyond) const {
-    const glm::dvec2 side{beyond.x < 0 ? low_.x : high_.x, beyond.y < 0 ? low_.y : high_.y};
-    const glm::dvec2 left = glm::abs(side - glm::dvec2(ray.start)), way = glm::abs(glm::dvec2(ray.end - ray.start));
+double WallSplit::x_after_y(const WallRay& ray, glm::ivec2 side) const {
+    const glm::dvec2 wall{side.x < 0 ? low_.x : high_.x, side.y < 0 ? low_.y : high_.y};
+    const glm::dvec2 left = glm::abs(wall - glm::dvec2(ray.start)), way = glm::abs(glm::dvec2(ray.end - ray.start));
     return left.x * way.y - left.y * way.x;
 }
 

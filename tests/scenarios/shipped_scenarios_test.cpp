@@ -94,7 +94,9 @@ const std::vector<Shipped> all{{"pool", "2.0"},
                                {"shafts", "1.0"},
                                {"pool_side", "2.0"},
                                {"open_sea_below", "2.0"},
-                               {"harbour", "1.0"}};
+                               {"harbour", "1.0"},
+                               {"colours", "0.5"},
+                               {"pool_walls", "1.0"}};
 
 /// DESIGN's ledger: in every frame, and of all who follow the light, it closes to 1e-4.
 void expect_ledgers_close(const Shipped& shipped, const nlohmann::json& report) {
