@@ -135,6 +135,7 @@ std::unique_ptr<FloorStage> make_floor_stage(const Scenario& scenario, const Bui
     FloorMaker make = make_floor_cpu;
     if (decision.backend == Backend::vulkan)
         make = [context = decision.context](const FloorSettings& s) { return make_floor_vulkan(s, context); };
+    if (scenario.floor->on.receiver == Receiver::ground) make = ground_maker(scenario, *model.shallow);
     return std::make_unique<TwoPassStage>(settings, make_lit_mapper(scenario, settings, make));
 }
 

@@ -44,12 +44,13 @@ Json ledgers_json(const LightLedger& sum, const LightLedger& last, double worst_
             {"worst_closure", worst_closure}};
 }
 
-Json floor_json(const FloorRecord& floor, FloorMethod method) {
+Json floor_json(const FloorRecord& floor, FloorMethod method, bool on_ground) {
     Json json{{"method", method == FloorMethod::truth ? "truth" : "two-pass"},
               {"mean_irradiance_w_m2", floor.last.mean},
               {"min_irradiance_w_m2", floor.last.min},
               {"max_irradiance_w_m2", floor.last.max},
               {"cv", floor.last.cv}};
+    json["receiver"] = on_ground ? "ground" : "flat";
     if (method == FloorMethod::truth)
         json["error_estimate"] = floor.truth_error;
     else
@@ -157,7 +158,8 @@ nlohmann::ordered_json report_json(const Scenario& scenario, const BackendDecisi
     if (record.floor) {
         const FloorRecord& floor = *record.floor;
         json["ledger"] = ledgers_json(floor.sum, floor.last_ledger, floor.closure, record.frames);
-        json["floor"] = floor_json(*record.floor, scenario.floor->method);
+        json["floor"] =
+            floor_json(*record.floor, scenario.floor->method, scenario.floor->on.receiver == Receiver::ground);
     }
     if (record.beams) json["beams"] = beams_json(*record.beams, scenario, record.frames);
     if (record.walls) {

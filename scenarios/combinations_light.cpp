@@ -70,6 +70,23 @@ void check_walls(const Scenario& s) {
                         fmt::format("{}, which makes {:.3g} pixels", settings.pixel_m, pixels), "at most 1e8 pixels");
 }
 
+void check_receiver(const Scenario& s) {
+    if (!s.floor) return;
+    const bool on_ground = s.floor->on.receiver == Receiver::ground;
+    if (!on_ground && s.origin.places.contains("caustics.floor.per_area"))
+        s.origin.reject("caustics.floor.per_area", "it beside receiver = \"flat\"", "receiver ground");
+    const std::string key = "caustics.floor.receiver";
+    require_model(s, on_ground, key, {ModelChoice::shallow_water});
+    if (on_ground && s.floor->method == FloorMethod::truth)
+        s.origin.reject(key, "ground beside method = \"truth\"", "method two-pass");
+    if (on_ground && s.sun.disc_deg)
+        s.origin.reject("light.disc_deg", "it beside receiver = \"ground\"", "parallel light");
+    for (const std::string other : {"window", "angle_deg", "centre_m", "size_m"})
+        if (on_ground && s.origin.places.contains("caustics.floor." + other))
+            s.origin.reject("caustics.floor." + other, "it beside receiver = \"ground\"",
+                            "receiver flat; on the ground the map covers the domain");
+}
+
 }  // namespace
 
 void check_light(const Scenario& s) {
@@ -79,6 +96,7 @@ void check_light(const Scenario& s) {
     check_list(s, "water.scattering_by_band_per_m", s.water_colour.scattering_by_band_per_m);
     check_water(s);
     if (s.walls) check_walls(s);
+    check_receiver(s);
     const bool coloured = wavelengths_in(s) > 0, disc = s.sun.disc_deg.has_value();
     const std::string key(disc ? "light.disc_deg" : colour_key(s));
     if ((coloured || disc) && !s.floor) s.origin.reject(key, "it without [caustics.floor]", "a floor map to show it");

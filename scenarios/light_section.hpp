@@ -18,6 +18,15 @@ struct SunSection {
     std::vector<double> shares;          ///< of E0; empty: a black body's
 };
 
+/// What the floor map lies on, and what its irradiance is per.
+enum class Receiver { flat, ground };
+enum class PerArea { ground, horizontal };
+
+struct ReceiverSection {
+    Receiver receiver = Receiver::flat;
+    PerArea per_area = PerArea::ground;  ///< of receiver ground
+};
+
 /// Pool walls as receivers of light.
 struct WallsSection {
     double pixel_m = 0.01;

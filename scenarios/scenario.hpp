@@ -71,6 +71,7 @@ struct FloorSection {
     glm::ivec2 pixels{1, 1};
     std::optional<FloorWindow> window;  ///< none: auto
     Footprint footprint = Footprint::pixel;
+    ReceiverSection on;
     double angle_deg = 0;
     std::optional<glm::dvec2> centre_m;  ///< none: of the domain
     std::optional<glm::dvec2> size_m;    ///< none: the domain's

@@ -192,6 +192,7 @@ void describe_floor(Visitor& v, FloorSection& s) {
         into(s.window, describe_window));
     v.value({"footprint", "", "Width of a landed sample; pixel is that of Yuksel & Keyser."},
             choice(s.footprint, {"pixel"}));
+    describe_receiver(v, s.on);
     v.value({"angle_deg", "deg", "Of the map's x axis, counter-clockwise from the domain's.", circle}, &s.angle_deg);
     v.value({"centre_m", "m", "Centre of the map on the floor.", {}, false, "the domain's"}, &s.centre_m);
     v.value({"size_m", "m", "Size of the map.", positive, false, "the domain's"}, &s.size_m);

@@ -34,6 +34,16 @@ void describe_sun(Visitor& v, SunSection& s) {
             &s.shares);
 }
 
+void describe_receiver(Visitor& v, ReceiverSection& s) {
+    v.value(
+        {"receiver", "",
+         "What the map lies on: the flat floor at domain.depth_m, or the ground of model shallow-water, which light "
+         "is followed to."},
+        choice(s.receiver, {"flat", "ground"}));
+    v.value({"per_area", "", "What irradiance on the ground is per: the sloping ground's area, or horizontal area."},
+            choice(s.per_area, {"ground", "horizontal"}));
+}
+
 void describe_walls(Visitor& v, WallsSection& s) {
     v.value({"pixel_m",
              "m",

@@ -8,6 +8,8 @@ namespace waterlight {
 
 /// Of [light].
 void describe_sun(Visitor& v, SunSection& s);
+/// Of [caustics.floor]: what the map lies on.
+void describe_receiver(Visitor& v, ReceiverSection& s);
 /// Of [caustics.walls].
 void describe_walls(Visitor& v, WallsSection& s);
 /// Of [water].

@@ -2,6 +2,7 @@
 // 1024 x 768 pixels over a moving pool.
 #include <benchmark/benchmark.h>
 
+#include "caustics/relief.hpp"
 #include "caustics/spectral_floor.hpp"
 #include "caustics/walls.hpp"
 #include "tests/support/surfaces.hpp"
@@ -56,6 +57,14 @@ void walls(benchmark::State& state) {
     for (auto _ : state) light_walls(s, pool(), maps);
 }
 
+/// Sloping ground.
+void ground(benchmark::State& state) {
+    ReliefSettings s{settings(), Field<float>(pool().grid.nx, pool().grid.ny)};
+    for (int j = 0; j < s.bed_m.ny(); ++j)
+        for (int i = 0; i < s.bed_m.nx(); ++i) s.bed_m(i, j) = -2 + 0.002F * static_cast<float>(i);
+    time(state, *make_relief_floor(std::move(s)));
+}
+
 }  // namespace
 
 BENCHMARK(plain)->Name("light/plain")->Unit(benchmark::kMillisecond)->UseRealTime();
@@ -68,6 +77,7 @@ BENCHMARK(sun_disc)
     ->UseRealTime();
 
 BENCHMARK(colour)->Name("light/colour/3")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(ground)->Name("light/ground")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(walls)->Name("light/walls")->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace waterlight::bench

@@ -64,6 +64,10 @@ TEST(ScenarioLight, WhatDoesNotGoTogetherIsRejected) {
     expect("[waves]\nboundary = { x = \"periodic\", y = \"absorbing\" }\n[caustics.walls]\n", "caustics.walls",
            "without a side that is a wall");
     expect("[caustics.walls]\npixel_m = 1e-5\n", "caustics.walls.pixel_m", "at most 1e8 pixels");
+    expect(map + "receiver = \"ground\"\n", "caustics.floor.receiver", "model shallow-water");
+    expect(map + "per_area = \"horizontal\"\n", "caustics.floor.per_area", "receiver ground");
+    const std::string shallow = "[waves]\nmodel = \"shallow-water\"\n";
+    expect(shallow + map + "receiver = \"ground\"\nangle_deg = 5\n", "caustics.floor.angle_deg", "receiver flat");
     expect(map + rgb + "[caustics.beams]\n", "light.colour", "beside [caustics.beams]");
 }
 
