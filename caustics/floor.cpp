@@ -52,6 +52,7 @@ void validate(const FloorSettings& s) {
             std::min(s.plan.width, s.plan.height), ">= 1");
     require(s.plan.pitch_m.x > 0 && s.plan.pitch_m.y > 0, "pixel pitch in m",
             std::min(s.plan.pitch_m.x, s.plan.pitch_m.y), "> 0");
+    require(s.samples_per_pixel >= 1, "samples per pixel", s.samples_per_pixel, ">= 1");
     require(s.depth_m > 0 && std::isfinite(s.depth_m), "depth in m", s.depth_m, "> 0, finite");
     require(s.optics.refractive_index >= 1, "refractive index", s.optics.refractive_index, ">= 1");
     require(s.optics.extinction_per_m() >= 0, "extinction in 1/m", s.optics.extinction_per_m(), ">= 0");

@@ -1,6 +1,6 @@
 // The floor map: irradiance on the flat floor z = -depth, by the two-pass receiver-side method of Yuksel & Keyser,
-// "Fast Real-time Caustics from Height Fields" (2009), with its additional pass 0. caustics/kernels/floor.glsl holds
-// the formulas, floor_cpu.cpp and floor_vulkan.cpp the loops.
+// "Fast Real-time Caustics from Height Fields" (2009), with its additional pass 0 and a footprint of our own.
+// caustics/kernels/floor.glsl holds the formulas, floor_cpu.cpp and floor_vulkan.cpp the loops.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -41,9 +41,17 @@ struct FloorWindow {
     bool operator==(const FloorWindow&) const = default;
 };
 
+/// Over what of the floor a sample's light is spread.
+enum class Footprint {
+    adaptive,  ///< the parallelogram on which it lands, from the derivatives of the landing map: converges
+    pixel      ///< a pixel, as in the paper: does not
+};
+
 struct FloorSettings {
     FloorPlan plan;
-    std::optional<FloorWindow> window;  ///< none: auto, the least that loses nothing of the surface at hand
+    Footprint footprint = Footprint::adaptive;
+    int samples_per_pixel = 1;          ///< along each axis, >= 1
+    std::optional<FloorWindow> window;  ///< in samples; none: auto, the least that loses nothing of the surface at hand
     double depth_m = 1;                 ///< floor at z = -depth, > 0
     Sun sun;
     WaterOptics optics;
@@ -78,7 +86,7 @@ class FloorMapper {
     virtual void compute(const Surface& surface, FloorMap& map) = 0;
 };
 
-/// Both throw InputError where a setting is out of its range.
+/// Throws InputError where a setting is out of its range.
 std::unique_ptr<FloorMapper> make_floor_cpu(const FloorSettings& settings);
 
 }  // namespace waterlight

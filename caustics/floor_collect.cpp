@@ -4,34 +4,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
+
+#include "caustics/floor_ring.hpp"
 
 namespace waterlight {
 
-void LandedSamples::resize(int nx, int ny) {
-    if (x.nx() == nx && x.ny() == ny) return;
-    x = Field<float>(nx, ny);
-    y = Field<float>(nx, ny);
-    power = Field<float>(nx, ny);
+void LandedSamples::resize(const FloorFrame& frame) {
+    const int nx = frame.columns.count, ny = frame.rows.count;
+    const auto fit = [&](Field<float>& f) {
+        if (f.nx() != nx || f.ny() != ny) f = Field<float>(nx, ny);
+    };
+    for (Field<float>* f : {&x, &y, &power}) fit(*f);
     lowest.assign(ny, 0);
     highest.assign(ny, 0);
 }
 
 namespace {
-
-/// Pass 1 for one row of samples. Four floats at once, which neither the loop nor the SLP vectoriser sees.
-void add_shares(int count, const int* __restrict pixel, const float* __restrict shares, float* __restrict channels) {
-    using Four = float __attribute__((vector_size(16)));
-    for (int i = 0; i < count; ++i) {
-        float* to = channels + 4 * static_cast<std::ptrdiff_t>(pixel[i]);
-        Four sum, add;
-        std::memcpy(&sum, to, sizeof sum);
-        std::memcpy(&add, shares + 4 * static_cast<std::ptrdiff_t>(i), sizeof add);
-        sum += add;
-        std::memcpy(to, &sum, sizeof sum);
-    }
-}
 
 /// Pass 2 for one row of pixels: `own` and `below` are the channels from column -1 on of the row and of the one below.
 double sum_channels(int width, const float* __restrict own, const float* __restrict below, float* __restrict map) {
@@ -43,7 +31,8 @@ double sum_channels(int width, const float* __restrict own, const float* __restr
     return sum;
 }
 
-/// For each row of samples, the lowest row of pixels that it or any later row touches.
+}  // namespace
+
 std::vector<int> lowest_rows_to_come(const FloorFrame& frame, const LandedSamples& landed) {
     std::vector<int> lowest(frame.rows.count + 1, frame.map_height);
     const float half = static_cast<float>(frame.half_channels());
@@ -54,46 +43,31 @@ std::vector<int> lowest_rows_to_come(const FloorFrame& frame, const LandedSample
     return lowest;
 }
 
-}  // namespace
+void ChannelBand::sum_below(int row, Field<float>& map, std::vector<double>& row_sums) {
+    while (ring_.oldest() + 1 < std::min(row, end_)) {
+        const int next = ring_.oldest() + 1;
+        row_sums[next] = sum_channels(frame_.map_width, ring_.row(next), ring_.row(next - 1), map.row(next));
+        ring_.clear_oldest();
+    }
+}
 
-/// Rows [begin, end) of the map. Their channels, and those of row begin - 1 whose boxes reach into them, live in a ring
-/// of rows: a row is summed and its place cleared for a later one as soon as no sample to come can touch it.
-class FloorCollector::Band {
+class FloorCollector::Band : public ChannelBand {
   public:
     Band(const FloorFrame& frame, Scratch& scratch, int begin, int end)
-        : frame_(frame), s_(scratch), end_(end), oldest_(begin - 1) {
-        ring_ = std::min(frame.window.channels + 5, end - begin + 1);
+        : ChannelBand(frame, scratch.channels, begin, end), s_(scratch) {
         const std::size_t count = frame.columns.count;
         s_.pixel.resize(count);
         s_.shares.resize(4 * count);
-        s_.channels.assign(4 * (static_cast<std::size_t>(ring_) * columns() + 1), 0.0F);
     }
 
-    /// Pass 1 for row j of the samples.
-    void add(const LandedSamples& landed, int j) {
+    /// Pass 1 for row j of the samples; `apart`: none of it can touch the band.
+    void add(const LandedSamples& landed, int j, bool apart) {
+        if (apart) return;
         share_out(landed, j, s_.pixel.data(), s_.shares.data());
-        add_shares(frame_.columns.count, s_.pixel.data(), s_.shares.data(), s_.channels.data());
-    }
-
-    /// Pass 2 for all rows below `row` that are not summed yet.
-    void sum_below(int row, Field<float>& map, std::vector<double>& row_sums) {
-        while (oldest_ + 1 < std::min(row, end_)) {
-            const int next = oldest_ + 1;
-            row_sums[next] = sum_channels(frame_.map_width, channels(next), channels(oldest_), map.row(next));
-            std::fill_n(channels(oldest_), 4 * static_cast<std::size_t>(columns()), 0.0F);
-            ++oldest_;
-            oldest_slot_ = oldest_slot_ + 1 == ring_ ? 0 : oldest_slot_ + 1;
-        }
+        ring_.add(frame_.columns.count, s_.pixel.data(), s_.shares.data());
     }
 
   private:
-    int columns() const { return frame_.map_width + 1; }  // from column -1 on
-
-    float* channels(int row) {
-        const int slot = (oldest_slot_ + row - oldest_) % ring_;
-        return s_.channels.data() + 4 * static_cast<std::size_t>(slot) * columns();
-    }
-
     /// For each sample of row j: the lower left pixel of its box, and the shares of the four pixels, none beyond the
     /// window. What touches no pixel of the band goes to a pixel behind the ring.
     void share_out(const LandedSamples& landed, int j, int* __restrict pixel, float* __restrict shares) const {
@@ -102,9 +76,9 @@ class FloorCollector::Band {
         const float* __restrict power = landed.power.row(j);
         const float half_x = static_cast<float>(frame_.half_samples());
         const float half_y = static_cast<float>(frame_.half_channels());
-        const int first_column = frame_.columns.first + 1, row_from_oldest = frame_.rows.first + j - oldest_;
-        const int rows = std::min(ring_, end_ - oldest_), width = columns(), nowhere = ring_ * width;
-        const int ring = ring_, oldest_slot = oldest_slot_, count = frame_.columns.count;
+        const ChannelRing ring = ring_;
+        const int first_column = frame_.columns.first + lead, row_from_oldest = frame_.rows.first + j - ring.oldest();
+        const int rows = this->rows(), count = frame_.columns.count;
 #pragma GCC ivdep
         for (int i = 0; i < count; ++i) {
             // Clamped so that any number, also one that is not, has an integer part.
@@ -114,9 +88,7 @@ class FloorCollector::Band {
             const f32::BoxShare share_y = f32::box_share(y[i], low_y, half_y);
             const int column = first_column + i + static_cast<int>(low_x);
             const int row = row_from_oldest + static_cast<int>(low_y);
-            const bool inside = (column >= 0) & (column < width) & (row >= 0) & (row < rows);
-            const int slot = oldest_slot + row >= ring ? oldest_slot + row - ring : oldest_slot + row;
-            pixel[i] = inside ? slot * width + column : nowhere;
+            pixel[i] = ring.pixel(column, row, rows);
             const float bottom = power[i] * share_y.low, top = power[i] * share_y.high;
             shares[4 * i] = bottom * share_x.low;
             shares[4 * i + 1] = bottom * share_x.high;
@@ -125,37 +97,13 @@ class FloorCollector::Band {
         }
     }
 
-    const FloorFrame& frame_;
     Scratch& s_;
-    int end_;
-    int oldest_;  ///< row whose channels are the oldest in the ring
-    int oldest_slot_ = 0;
-    int ring_ = 1;  ///< rows in the ring
 };
 
 double FloorCollector::collect(const FloorFrame& frame, const LandedSamples& landed, Field<float>& map) {
-    std::vector<double> row_sums(frame.map_height);
-    const std::vector<int> to_come = lowest_rows_to_come(frame, landed);
     scratch_.resize(omp_get_max_threads());
-#pragma omp parallel
-    {
-        const std::int64_t height = frame.map_height;
-        const int threads = omp_get_num_threads(), me = omp_get_thread_num();
-        const int begin = static_cast<int>(height * me / threads), end = static_cast<int>(height * (me + 1) / threads);
-        Band band(frame, scratch_[me], begin, end);
-        band.sum_below(to_come[0], map, row_sums);
-        for (int j = 0; j < frame.rows.count; ++j) {
-            const float base = static_cast<float>(frame.rows.first + j);
-            const bool apart = base + landed.highest[j] + 1 < static_cast<float>(begin) ||
-                               base + landed.lowest[j] - 1 > static_cast<float>(end);
-            if (!apart) band.add(landed, j);
-            band.sum_below(to_come[j + 1], map, row_sums);
-        }
-        band.sum_below(end, map, row_sums);
-    }
-    double sum = 0;
-    for (const double row : row_sums) sum += row;
-    return sum;
+    return collect_in_bands(frame, landed, map,
+                            [&](int thread, int begin, int end) { return Band(frame, scratch_[thread], begin, end); });
 }
 
 }  // namespace waterlight

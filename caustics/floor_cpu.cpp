@@ -1,35 +1,28 @@
-// The floor map on the CPU: pass 0 and the ledger here, passes 1 and 2 in floor_collect.
+// The floor map on the CPU: pass 0 and its ledger here, passes 1 and 2 in floor_collect and floor_spread.
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <vector>
 
 #include "caustics/floor.hpp"
 #include "caustics/floor_collect.hpp"
 #include "caustics/floor_frame.hpp"
+#include "caustics/floor_row_ledger.hpp"
+#include "caustics/floor_samples.hpp"
 #include "caustics/surface_rows.hpp"
 
 namespace waterlight {
 
 namespace {
 
-/// What one row of samples adds to the ledger, W/m2 of surface.
-struct RowLedger {
-    double incident = 0, reflected = 0, extinguished = 0, outside = 0, lost = 0, entered = 0;
-};
-
 /// Scratch rows of one thread.
 struct RowScratch {
     SurfaceRows::Scratch surface;
     SampleRow samples;
-    std::vector<float> path, incident, transmitted, on_map, in_window;
+    std::vector<float> path, incident, transmitted;
+    Shares shares;
     RowScratch(const SurfaceRows& rows, int count)
-        : surface(rows.scratch()),
-          samples(count),
-          path(count),
-          incident(count),
-          transmitted(count),
-          on_map(count),
-          in_window(count) {}
+        : surface(rows.scratch()), samples(count), path(count), incident(count), transmitted(count), shares(count) {}
 };
 
 /// Pass 0 for one row: where the light of each sample lands, and with what power.
@@ -58,20 +51,14 @@ void land_row(const FloorFrame& frame, RowScratch& scratch, float* __restrict x,
     for (int i = 0; i < count; ++i) power[i] *= f32::beer_lambert(frame.extinction_per_m, path[i]);
 }
 
-/// Samples [begin, end) of a row.
-struct Span {
-    int begin = 0;
-    int end = 0;
-};
-
 /// The part of each sample's box that the window sees and, of that, what lies on the map.
 void share_span(const FloorFrame& frame, int j, Span span, RowScratch& scratch, const float* __restrict x,
                 const float* __restrict y) {
     const float first = static_cast<float>(frame.columns.first), base_y = static_cast<float>(frame.rows.first + j);
     const float half_x = static_cast<float>(frame.half_samples()), half_y = static_cast<float>(frame.half_channels());
     const float width = static_cast<float>(frame.map_width), height = static_cast<float>(frame.map_height);
-    float* __restrict in_window = scratch.in_window.data();
-    float* __restrict on_map = scratch.on_map.data();
+    float* __restrict in_window = scratch.shares.in_window.data();
+    float* __restrict on_map = scratch.shares.on_map.data();
 #pragma GCC ivdep
     for (int i = span.begin; i < span.end; ++i) {
         const f32::AxisShare sx = f32::share_on_axis(x[i], first + static_cast<float>(i), half_x, width);
@@ -81,14 +68,14 @@ void share_span(const FloorFrame& frame, int j, Span span, RowScratch& scratch, 
     }
 }
 
-/// Adds samples whose light all falls on the map and into the window.
-void sum_inner(const RowScratch& scratch, const float* power, Span span, RowLedger& row) {
+/// Adds samples to the ledger as if all their light fell on the map.
+void sum_row(const RowScratch& scratch, const float* power, int count, RowLedger& row) {
     const float* counted = scratch.samples.counted.data();
     const float* incident = scratch.incident.data();
     const float* transmitted = scratch.transmitted.data();
     double in = 0, reflected = 0, extinguished = 0, entered = 0;
 #pragma omp simd reduction(+ : in, reflected, extinguished, entered)
-    for (int i = span.begin; i < span.end; ++i) {
+    for (int i = 0; i < count; ++i) {
         in += counted[i] * incident[i];
         reflected += counted[i] * (incident[i] - transmitted[i]);
         extinguished += counted[i] * (transmitted[i] - power[i]);
@@ -100,38 +87,22 @@ void sum_inner(const RowScratch& scratch, const float* power, Span span, RowLedg
     row.entered += entered;
 }
 
-/// Adds any samples.
-void sum_outer(const RowScratch& scratch, const float* power, Span span, RowLedger& row) {
-    const float* counted = scratch.samples.counted.data();
-    const float* in_window = scratch.in_window.data();
-    const float* on_map = scratch.on_map.data();
-    double outside = 0, lost = 0, not_entered = 0;
-#pragma omp simd reduction(+ : outside, lost, not_entered)
-    for (int i = span.begin; i < span.end; ++i) {
-        lost += counted[i] * power[i] * (1 - in_window[i]);
-        outside += counted[i] * power[i] * (in_window[i] - on_map[i]);
-        not_entered += (1 - counted[i]) * power[i] * (1 - on_map[i]);
+FloorLedger total(const std::vector<RowLedger>& rows, double area_m2) {
+    FloorLedger sum;
+    for (const RowLedger& row : rows) {
+        sum.incident_w += area_m2 * row.incident;
+        sum.reflected_w += area_m2 * row.reflected;
+        sum.extinguished_w += area_m2 * row.extinguished;
+        sum.outside_w += area_m2 * row.outside;
+        sum.lost_w += area_m2 * row.lost;
+        sum.entered_w += area_m2 * row.entered;
     }
-    sum_inner(scratch, power, span, row);
-    row.lost += lost;
-    row.outside += outside;
-    row.entered -= not_entered;
-}
-
-/// Least and largest of a row; a NaN is passed over.
-std::pair<float, float> range_of(const float* row, int count) {
-    float low = 0, high = 0;
-#pragma omp simd reduction(min : low) reduction(max : high)
-    for (int i = 0; i < count; ++i) {
-        low = row[i] < low ? row[i] : low;
-        high = row[i] > high ? row[i] : high;
-    }
-    return {low, high};
+    return sum;
 }
 
 class FloorCpu final : public FloorMapper {
   public:
-    explicit FloorCpu(const FloorSettings& settings) : settings_(settings) { validate(settings); }
+    explicit FloorCpu(const FloorSettings& settings) : settings_(settings) {}
 
     std::string_view backend() const override { return "cpu"; }
 
@@ -140,40 +111,36 @@ class FloorCpu final : public FloorMapper {
         if (map.irradiance.nx() != frame.map_width || map.irradiance.ny() != frame.map_height)
             map.irradiance = Field<float>(frame.map_width, frame.map_height);
         map.window = frame.window;
-        land(frame, surface, map.ledger);
-        map.ledger.floor_w = frame.pixel_area_m2 * collector_.collect(frame, landed_, map.irradiance);
+        std::vector<RowLedger> rows(frame.rows.count);
+        const SurfaceRows reader(frame, surface);
+        land(frame, reader, rows);
+        const double sum = frame.adaptive ? spreader_.collect(frame, reader, landed_, map.irradiance, rows)
+                                          : collector_.collect(frame, landed_, map.irradiance);
+        map.ledger = total(rows, frame.pixel_area_m2);
+        map.ledger.floor_w = frame.pixel_area_m2 * sum;
     }
 
   private:
-    /// The ledger of row j but for the floor. Far from the map's edges, where a row's light stays in the window, there
-    /// is nothing to look for.
-    RowLedger account(const FloorFrame& frame, int j, RowScratch& scratch) {
+    /// Takes from the ledger of row j what the paper's footprint does not lay on the map. Far from the map's edges,
+    /// where a row's light stays in the window, there is nothing to look for.
+    void share_boxes(const FloorFrame& frame, int j, RowScratch& scratch, RowLedger& row) {
         const int count = frame.columns.count, half_x = frame.half_samples(), half_y = frame.half_channels();
         const float *x = landed_.x.row(j), *y = landed_.y.row(j), *power = landed_.power.row(j);
         const auto [left, right] = range_of(x, count);
-        const auto [low, high] = range_of(y, count);
-        landed_.lowest[j] = low;
-        landed_.highest[j] = high;
+        const float low = landed_.lowest[j], high = landed_.highest[j];
         const float base = static_cast<float>(frame.rows.first + j);
         const bool plain = left >= -half_x && right <= half_x && low >= -half_y && high <= half_y && base + low >= 0 &&
                            base + high <= static_cast<float>(frame.map_height - 1);
-        const int first = std::clamp(half_x + 1 - frame.columns.first, 0, count);
-        const int last = std::clamp(frame.map_width - half_x - 1 - frame.columns.first, first, count);
-        const Span inner = plain ? Span{first, last} : Span{0, 0};
-        RowLedger row;
+        const Span inner = plain ? inner_columns(frame) : Span{0, 0};
         for (const Span outer : {Span{0, inner.begin}, Span{inner.end, count}}) {
             share_span(frame, j, outer, scratch, x, y);
-            sum_outer(scratch, power, outer, row);
+            sum_outer(scratch.samples.counted.data(), power, scratch.shares, outer, row);
         }
-        sum_inner(scratch, power, inner, row);
-        return row;
     }
 
     /// Pass 0, with the ledger of everything but the floor.
-    void land(const FloorFrame& frame, const Surface& surface, FloorLedger& ledger) {
-        landed_.resize(frame.columns.count, frame.rows.count);
-        std::vector<RowLedger> rows(frame.rows.count);
-        const SurfaceRows reader(frame, surface);
+    void land(const FloorFrame& frame, const SurfaceRows& reader, std::vector<RowLedger>& rows) {
+        landed_.resize(frame);
 #pragma omp parallel
         {
             RowScratch scratch(reader, frame.columns.count);
@@ -182,29 +149,25 @@ class FloorCpu final : public FloorMapper {
                 float *x = landed_.x.row(j), *y = landed_.y.row(j), *power = landed_.power.row(j);
                 reader.read(j, scratch.surface, scratch.samples);
                 land_row(frame, scratch, x, y, power);
-                rows[j] = account(frame, j, scratch);
+                std::tie(landed_.lowest[j], landed_.highest[j]) = range_of(y, frame.columns.count);
+                sum_row(scratch, power, frame.columns.count, rows[j]);
+                if (!frame.adaptive) share_boxes(frame, j, scratch, rows[j]);
             }
-        }
-        ledger = {};
-        for (const RowLedger& row : rows) {
-            ledger.incident_w += frame.pixel_area_m2 * row.incident;
-            ledger.reflected_w += frame.pixel_area_m2 * row.reflected;
-            ledger.extinguished_w += frame.pixel_area_m2 * row.extinguished;
-            ledger.outside_w += frame.pixel_area_m2 * row.outside;
-            ledger.lost_w += frame.pixel_area_m2 * row.lost;
-            ledger.entered_w += frame.pixel_area_m2 * row.entered;
         }
     }
 
     FloorSettings settings_;
     LandedSamples landed_;
     FloorCollector collector_;
+    FloorSpreader spreader_;
 };
 
 }  // namespace
 
 std::unique_ptr<FloorMapper> make_floor_cpu(const FloorSettings& settings) {
-    return std::make_unique<FloorCpu>(settings);
+    validate(settings);
+    if (settings.samples_per_pixel == 1) return std::make_unique<FloorCpu>(settings);
+    return average_samples(settings, make_floor_cpu(one_sample_a_pixel(settings)));
 }
 
 }  // namespace waterlight

@@ -65,6 +65,12 @@ SampleRange follow(int size, int half_window, Side side, SampleRange domain, boo
     return side == Side::wall ? intersected(all, domain) : all;
 }
 
+/// A sample's slide grows with the square of the pixels' aspect: wide pixels ask for two strips.
+int strips_for(const FloorPlan& plan) {
+    constexpr double wide = 1.5;
+    return plan.pitch_m.x > wide * plan.pitch_m.y ? 2 : 1;
+}
+
 bool covers(double origin, double length, double from, double extent) {
     const double slack = 1e-9 * extent;
     return origin <= from + slack && origin + length >= from + extent - slack;
@@ -72,61 +78,17 @@ bool covers(double origin, double length, double from, double extent) {
 
 }  // namespace
 
-namespace {
-
-/// Largest displacement of any cell's light in pixels, with the whole surface raised by `raise_m`.
-glm::vec2 largest_displacement(const f32::FloorLight& light, const Surface& surface, float raise_m) {
-    float reach_x = 0, reach_y = 0;
-    const int nx = surface.grid.nx;
-#pragma omp parallel for schedule(static) reduction(max : reach_x, reach_y)
-    for (int j = 0; j < surface.grid.ny; ++j) {
-        const float* __restrict elevation = surface.elevation.row(j);
-        const float* __restrict slope_x = surface.slope_x.row(j);
-        const float* __restrict slope_y = surface.slope_y.row(j);
-        std::vector<float> away_x(nx), away_y(nx);
-        float* __restrict ax = away_x.data();
-        float* __restrict ay = away_y.data();
-#pragma GCC ivdep
-        for (int i = 0; i < nx; ++i) {
-            const f32::FloorSample s =
-                f32::land_on_floor(light, elevation[i] + raise_m, f32::real2(slope_x[i], slope_y[i]));
-            const float lit = s.incident > 0 ? 1.0F : 0.0F;
-            ax[i] = lit * std::abs(s.displacement.x);
-            ay[i] = lit * std::abs(s.displacement.y);
-        }
-        for (int i = 0; i < nx; ++i) {
-            reach_x = std::max(reach_x, ax[i]);
-            reach_y = std::max(reach_y, ay[i]);
-        }
-    }
-    return {reach_x, reach_y};
-}
-
-}  // namespace
-
-FloorWindow auto_window(const f32::FloorLight& light, const Surface& surface) {
-    glm::vec2 reach = largest_displacement(light, surface, 0);
-    // A tilted surface goes on climbing beyond the domain, as far as the window and the sun's slant reach.
-    const float slant_m = light.depth * (std::abs(light.rest_travel.x) + std::abs(light.rest_travel.y));
-    for (int k = 0; k < 8 && surface.tilt != glm::dvec2{0, 0}; ++k) {
-        const glm::vec2 margin_m = reach / glm::vec2{glm::length(light.pixel_x), glm::length(light.pixel_y)};
-        const float climb = static_cast<float>(glm::length(surface.tilt)) * (margin_m.x + margin_m.y + slant_m);
-        reach = glm::max(reach, largest_displacement(light, surface, climb));
-        reach = glm::max(reach, largest_displacement(light, surface, -climb));
-    }
-    const auto size = [](float pixels) { return 2 * static_cast<int>(std::ceil(std::min(pixels, 1e8F))) + 1; };
-    return {size(reach.x), size(reach.y)};
-}
-
 FloorFrame prepare(const FloorSettings& settings, const Surface& surface) {
     const FloorPlan& plan = settings.plan;
     const Grid& grid = surface.grid;
     FloorFrame frame;
     frame.map_width = plan.width;
     frame.map_height = plan.height;
+    frame.adaptive = settings.footprint == Footprint::adaptive;
     frame.light = make_light(settings);
     frame.extinction_per_m = static_cast<float>(settings.optics.extinction_per_m());
-    frame.window = settings.window ? *settings.window : auto_window(frame.light, surface);
+    frame.strips = frame.adaptive ? strips_for(plan) : 1;
+    frame.window = settings.window ? *settings.window : auto_window(frame, settings, surface);
     frame.aligned = plan.axis_x().y == 0;
     frame.pixel_area_m2 = plan.pitch_m.x * plan.pitch_m.y;
     const bool periodic_x = surface.boundary.x == Side::periodic, periodic_y = surface.boundary.y == Side::periodic;

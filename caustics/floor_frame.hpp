@@ -26,6 +26,8 @@ struct FloorFrame {
     int map_width = 1;
     int map_height = 1;
     FloorWindow window;
+    bool adaptive = true;  ///< the footprint
+    int strips = 1;        ///< that a parallelogram is cut into
     SampleRange columns;
     SampleRange rows;
     std::vector<SplitPlace> column_x, row_x, column_y, row_y;
@@ -42,6 +44,13 @@ struct FloorFrame {
     int half_channels() const { return (window.channels - 1) / 2; }
 };
 
+/// What the frame's window lets through to its map.
+inline f32::FloorReach floor_reach(const FloorFrame& f) {
+    return {.half_window = glm::vec2(f.half_samples(), f.half_channels()),
+            .size = glm::vec2(f.map_width, f.map_height),
+            .strips = static_cast<float>(f.strips)};
+}
+
 /// Sum of two split places.
 inline SplitPlace operator+(SplitPlace a, SplitPlace b) {
     const float part = a.part + b.part;
@@ -55,7 +64,8 @@ void validate(const FloorSettings& settings);
 /// than an index can count.
 FloorFrame prepare(const FloorSettings& settings, const Surface& surface);
 
-/// The least window that holds the light of every cell of the surface.
-FloorWindow auto_window(const f32::FloorLight& light, const Surface& surface);
+/// The least window that holds the light of every cell of the surface, with its footprint; of the adaptive one it goes
+/// by a bound. `frame` has its light, footprint and strips.
+FloorWindow auto_window(const FloorFrame& frame, const FloorSettings& settings, const Surface& surface);
 
 }  // namespace waterlight

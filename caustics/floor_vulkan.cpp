@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "caustics/floor_frame.hpp"
+#include "caustics/floor_samples.hpp"
 #include "caustics/kernels/surface_lookup.hpp"
 #include "gpu/buffer.hpp"
 #include "gpu/commands.hpp"
@@ -84,7 +85,6 @@ class FloorVulkan final : public FloorMapper {
   public:
     FloorVulkan(const FloorSettings& settings, std::shared_ptr<gpu::Context> context)
         : settings_(settings), context_(std::move(context)), commands_(context_) {
-        validate(settings);
         constexpr std::uint32_t push = sizeof(FloorParameters);
         land_.emplace(context_, gpu::PassSettings{"floor: land", shaders::floor_land, 6, push, row_workgroup});
         gather_.emplace(context_, gpu::PassSettings{"floor: gather", shaders::floor_gather, 2, push, tile_workgroup});
@@ -189,7 +189,11 @@ class FloorVulkan final : public FloorMapper {
 }  // namespace
 
 std::unique_ptr<FloorMapper> make_floor_vulkan(const FloorSettings& settings, std::shared_ptr<gpu::Context> context) {
-    return std::make_unique<FloorVulkan>(settings, std::move(context));
+    validate(settings);
+    if (settings.footprint == Footprint::adaptive)
+        throw InputError("floor map: footprint is adaptive; allowed on the vulkan back-end: pixel");
+    if (settings.samples_per_pixel == 1) return std::make_unique<FloorVulkan>(settings, std::move(context));
+    return average_samples(settings, make_floor_vulkan(one_sample_a_pixel(settings), std::move(context)));
 }
 
 }  // namespace waterlight

@@ -125,10 +125,23 @@ void SurfaceRows::read_aligned(int j, Scratch& scratch, SampleRow& out) const {
     blend(low.slope_y, low_part * p.mirror_low, high.slope_y, high_part * p.mirror_high, 0, out.slope_y);
 
     const float lit_y = f32::lit_part(p, side_number(side));
-    const float counted_y =
-        f32::counted_part(p, side_number(side), frame_.count_base_y, frame_.rows.first + j, frame_.map_height);
     blend(lit_x_, lit_y, lit_x_, 0, 0, out.lit);
-    blend(counted_x_, counted_y, counted_x_, 0, 0, out.counted);
+    read_counted(j, out.counted);
+}
+
+void SurfaceRows::read_counted(int j, std::vector<float>& counted) const {
+    const int side_x = side_number(surface_.boundary.x), side_y = side_number(surface_.boundary.y);
+    const auto along_y = [&](const f32::AxisPlace& p) {
+        return f32::counted_part(p, side_y, frame_.count_base_y, frame_.rows.first + j, frame_.map_height);
+    };
+    if (frame_.aligned)
+        return blend(counted_x_, along_y(place_y(frame_, surface_, frame_.row_y[j])), counted_x_, 0, 0, counted);
+    for (int i = 0; i < frame_.columns.count; ++i) {
+        const f32::AxisPlace px = place_x(frame_, surface_, frame_.column_x[i] + frame_.row_x[j]);
+        const f32::AxisPlace py = place_y(frame_, surface_, frame_.column_y[i] + frame_.row_y[j]);
+        counted[i] = f32::counted_part(px, side_x, frame_.count_base_x, frame_.columns.first + i, frame_.map_width) *
+                     along_y(py);
+    }
 }
 
 void SurfaceRows::read_turned(int j, SampleRow& out) const {
@@ -153,10 +166,8 @@ void SurfaceRows::read_turned(int j, SampleRow& out) const {
         out.slope_x[i] = mirrored(s.slope_x, px.mirror_low, px.mirror_high, 1, 1);
         out.slope_y[i] = mirrored(s.slope_y, 1, 1, py.mirror_low, py.mirror_high);
         out.lit[i] = f32::lit_part(px, side_x) * f32::lit_part(py, side_y);
-        out.counted[i] =
-            f32::counted_part(px, side_x, frame_.count_base_x, frame_.columns.first + i, frame_.map_width) *
-            f32::counted_part(py, side_y, frame_.count_base_y, frame_.rows.first + j, frame_.map_height);
     }
+    read_counted(j, out.counted);
 }
 
 }  // namespace waterlight

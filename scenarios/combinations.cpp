@@ -119,6 +119,8 @@ void check_floor(const Scenario& s) {
     const bool truth = floor.method == FloorMethod::truth;
     if (truth && floor.window)
         s.origin.reject("caustics.floor.window", "it beside method = \"truth\"", "method two-pass");
+    if (truth && s.origin.places.contains("caustics.floor.samples_per_pixel"))
+        s.origin.reject("caustics.floor.samples_per_pixel", "it beside method = \"truth\"", "method two-pass");
     for (const std::string key : {"caustics.floor.tolerance", "caustics.floor.most_subsamples"})
         if (!truth && s.origin.places.contains(key))
             s.origin.reject(key, "it beside method = \"two-pass\"", "method truth");

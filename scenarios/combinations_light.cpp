@@ -81,10 +81,10 @@ void check_receiver(const Scenario& s) {
         s.origin.reject(key, "ground beside method = \"truth\"", "method two-pass");
     if (on_ground && s.sun.disc_deg)
         s.origin.reject("light.disc_deg", "it beside receiver = \"ground\"", "parallel light");
-    for (const std::string other : {"window", "angle_deg", "centre_m", "size_m"})
+    for (const std::string other : {"window", "footprint", "samples_per_pixel", "angle_deg", "centre_m", "size_m"})
         if (on_ground && s.origin.places.contains("caustics.floor." + other))
             s.origin.reject("caustics.floor." + other, "it beside receiver = \"ground\"",
-                            "receiver flat; on the ground the map covers the domain");
+                            "receiver flat; on the ground the map covers the domain, and has a footprint of its own");
 }
 
 }  // namespace

@@ -19,8 +19,11 @@ constexpr double linear_cell = 92;
 constexpr double airy_cell = 100;
 constexpr double shallow_water_cell = 260;
 constexpr double prescribed_cell = 60;
-// Bytes a pixel: landed samples, the map, four that wait to be written, a picture.
+// Bytes a pixel: landed samples, the map, four that wait to be written, a picture; and of each sample more.
 constexpr double two_pass_pixel = 56;
+constexpr double two_pass_sample = 24;
+constexpr double adaptive_pixel = 80;
+constexpr double adaptive_sample = 48;
 // In double precision, with the two solutions that are compared.
 constexpr double truth_pixel = 120;
 
@@ -31,6 +34,13 @@ double bytes_per_cell(ModelChoice model) {
     if (model == ModelChoice::linear) return linear_cell;
     if (model == ModelChoice::shallow_water) return shallow_water_cell;
     return model == ModelChoice::prescribed ? prescribed_cell : airy_cell;
+}
+
+double bytes_per_pixel(const FloorSection& floor) {
+    if (floor.method == FloorMethod::truth) return truth_pixel;
+    const double more_samples = floor.samples_per_pixel * floor.samples_per_pixel - 1;
+    return floor.footprint == Footprint::adaptive ? adaptive_pixel + more_samples * adaptive_sample
+                                                  : two_pass_pixel + more_samples * two_pass_sample;
 }
 
 std::string in_gib(double bytes) { return fmt::format("{:.3g} GiB", bytes / (1 << 30)); }
@@ -65,9 +75,8 @@ MemoryEstimate estimate_memory(const Scenario& scenario) {
     }
     if (!scenario.floor) return estimate;
     const glm::ivec2 pixels = scenario.floor->pixels;
-    const double per_pixel = scenario.floor->method == FloorMethod::truth ? truth_pixel : two_pass_pixel;
     const double maps = std::max<double>(1, static_cast<double>(bands_of(scenario).size()));
-    estimate.pixels = pixels.x * static_cast<double>(pixels.y) * per_pixel * maps;
+    estimate.pixels = pixels.x * static_cast<double>(pixels.y) * bytes_per_pixel(*scenario.floor) * maps;
     return estimate;
 }
 

@@ -68,6 +68,8 @@ FloorSettings floor_settings(const Scenario& scenario) {
     settings.plan.pitch_m = size / glm::dvec2(floor.pixels);
     settings.plan.angle_deg = floor.angle_deg;
     settings.plan.origin_m = centre - 0.5 * (size.x * settings.plan.axis_x() + size.y * settings.plan.axis_y());
+    settings.footprint = floor.footprint;
+    settings.samples_per_pixel = floor.samples_per_pixel;
     settings.window = floor.window;
     // An even number is the paper's M, the rows beside the own one.
     if (settings.window && settings.window->channels % 2 == 0) ++settings.window->channels;

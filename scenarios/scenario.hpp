@@ -31,9 +31,6 @@ enum class ModelChoice { automatic, linear, airy, shallow_water, prescribed };
 
 enum class FloorMethod { two_pass, truth };
 
-/// How wide a landed sample is on the floor.
-enum class Footprint { pixel };
-
 /// The patch of water, [0, size] with the grid's cells.
 struct DomainSection {
     glm::dvec2 size_m{1, 1};
@@ -70,7 +67,8 @@ struct FloorSection {
     FloorMethod method = FloorMethod::two_pass;
     glm::ivec2 pixels{1, 1};
     std::optional<FloorWindow> window;  ///< none: auto
-    Footprint footprint = Footprint::pixel;
+    Footprint footprint = Footprint::adaptive;
+    int samples_per_pixel = 1;  ///< along each axis
     ReceiverSection on;
     double angle_deg = 0;
     std::optional<glm::dvec2> centre_m;  ///< none: of the domain

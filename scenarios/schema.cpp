@@ -190,8 +190,13 @@ void describe_floor(Visitor& v, FloorSection& s) {
          .meaning = "How far light is followed from its rest position; auto is the least that loses none.",
          .otherwise = "auto"},
         into(s.window, describe_window));
-    v.value({"footprint", "", "Width of a landed sample; pixel is that of Yuksel & Keyser."},
-            choice(s.footprint, {"pixel"}));
+    v.value(
+        {"footprint", "",
+         "What of the floor a landed sample lights: adaptive, the parallelogram where its light falls; pixel, a pixel "
+         "as in Yuksel & Keyser."},
+        choice(s.footprint, {"adaptive", "pixel"}));
+    v.value({"samples_per_pixel", "", "Samples along each axis of a pixel; method two-pass.", {.low = 1, .high = 16}},
+            &s.samples_per_pixel);
     describe_receiver(v, s.on);
     v.value({"angle_deg", "deg", "Of the map's x axis, counter-clockwise from the domain's.", circle}, &s.angle_deg);
     v.value({"centre_m", "m", "Centre of the map on the floor.", {}, false, "the domain's"}, &s.centre_m);

@@ -1,5 +1,5 @@
 waterlight_test(floor_map_test
-    SOURCES laws/floor_map_test.cpp
+    SOURCES laws/floor_map_test.cpp laws/floor_footprint_test.cpp
     LIBRARIES waterlight::caustics)
 waterlight_test(truth_test
     SOURCES laws/truth_test.cpp

@@ -4,7 +4,9 @@
 
 namespace waterlight::f32 {
 #include "caustics/kernels/floor.glsl"
+#include "caustics/kernels/footprint.glsl"
 }
 namespace waterlight::f64 {
 #include "caustics/kernels/floor.glsl"
+#include "caustics/kernels/footprint.glsl"
 }

@@ -1,4 +1,5 @@
-// floor_two_pass/BACKEND/WIDTHxHEIGHT/N: one floor map of a moving pool, seconds per frame. The surface has the map's
+// floor_two_pass/BACKEND/WIDTHxHEIGHT/N: one floor map of a moving pool with the paper's footprint, seconds per frame;
+// floor_two_pass_adaptive/... the same with the adaptive one. The surface has the map's
 // own aspect and 256 cells along x; slopes are such that the window holds the light.
 #include "tests/bench/floor_two_pass.hpp"
 
@@ -20,10 +21,11 @@ Surface pool(int width, int height) {
 
 }  // namespace
 
-static void floor_two_pass(benchmark::State& state, FloorCase c, const MakeMapper& make) {
+static void floor_two_pass(benchmark::State& state, FloorCase c, Footprint footprint, const MakeMapper& make) {
     const Surface surface = pool(c.width, c.height);
     FloorSettings settings;
     settings.plan = cover(surface.grid, c.width, c.height);
+    settings.footprint = footprint;
     settings.window = FloorWindow{c.window, c.window};
     settings.depth_m = 1;
     settings.sun.elevation_deg = 60;
@@ -38,12 +40,15 @@ static void floor_two_pass(benchmark::State& state, FloorCase c, const MakeMappe
 }
 
 void register_floor(const std::string& backend, const MakeMapper& make) {
-    for (const FloorCase c : {FloorCase{400, 300, 7}, {800, 600, 7}, {1024, 1024, 15}}) {
-        const std::string name = fmt::format("floor_two_pass/{}/{}x{}/N{}", backend, c.width, c.height, c.window);
-        benchmark::RegisterBenchmark(name.c_str(),
-                                     [c, make](benchmark::State& state) { floor_two_pass(state, c, make); })
-            ->Unit(benchmark::kMillisecond)
-            ->UseRealTime();
+    for (const Footprint footprint : {Footprint::pixel, Footprint::adaptive}) {
+        const char* kind = footprint == Footprint::pixel ? "floor_two_pass" : "floor_two_pass_adaptive";
+        for (const FloorCase c : {FloorCase{400, 300, 7}, {800, 600, 7}, {1024, 1024, 15}}) {
+            const std::string name = fmt::format("{}/{}/{}x{}/N{}", kind, backend, c.width, c.height, c.window);
+            benchmark::RegisterBenchmark(name.c_str(),
+                                         [=](benchmark::State& state) { floor_two_pass(state, c, footprint, make); })
+                ->Unit(benchmark::kMillisecond)
+                ->UseRealTime();
+        }
     }
 }
 

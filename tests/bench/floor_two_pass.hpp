@@ -19,7 +19,7 @@ struct FloorCase {
     int window;
 };
 
-/// Registers floor_two_pass/BACKEND/... for the three sizes.
+/// Registers floor_two_pass/BACKEND/... and floor_two_pass_adaptive/BACKEND/... for the three sizes.
 void register_floor(const std::string& backend, const MakeMapper& make);
 
 }  // namespace waterlight::bench

@@ -60,6 +60,7 @@ struct Scene {
     Surface surface = surface_of(random_waves(), {});
 
     Scene() {
+        settings.footprint = Footprint::pixel;
         settings.plan = cover(grid, 100, 84);
         settings.sun.elevation_deg = 60;
         settings.sun.azimuth_deg = 20;
@@ -190,6 +191,7 @@ TEST_F(FloorBackends, AgreeWhereTheLatticeIsHandledInBands) {
 
 TEST_F(FloorBackends, AgreeFrameAfterFrameWhileTheWindowGrowsAndShrinks) {
     FloorSettings settings;
+    settings.footprint = Footprint::pixel;
     settings.plan = cover(grid, 80, 60);
     const auto cpu = make_floor_cpu(settings), vulkan = make_floor_vulkan(settings, context);
     EXPECT_EQ(vulkan->backend(), "vulkan");
@@ -204,6 +206,7 @@ TEST_F(FloorBackends, AgreeFrameAfterFrameWhileTheWindowGrowsAndShrinks) {
 
 TEST_F(FloorBackends, RefuseAWindowWhoseRowOfChannelsCannotBeHeld) {
     FloorSettings settings;
+    settings.footprint = Footprint::pixel;
     settings.plan = cover(grid, 4096, 1);
     settings.window = FloorWindow{1, 8193};
     FloorMap map;

@@ -190,6 +190,7 @@ TEST(FloorMap, EqualsTheGatherOfThePaper) {
     const Grid grid = make_grid(64, 64, 1, 1);
     const Surface surface = sample(grid, periodic, egg_crate(.006, .5));
     FloorSettings s = settings_for(grid, 64, 64, 90);
+    s.footprint = Footprint::pixel;
     s.window = FloorWindow{5, 3};
     const FloorMap map = map_of(s, surface);
     for (int y = 0; y < 64; y += 3) {
@@ -215,6 +216,7 @@ TEST(FloorMap, ThePapersFootprintStaysNearEightPercent) {
     for (const int per_wave : {32, 128, 512}) {
         const Grid grid = make_grid(per_wave, 4, .5, 4 * .5 / per_wave);
         FloorSettings s = settings_for(grid, per_wave, 4, 90);
+        s.footprint = Footprint::pixel;
         const Formula wave = sines({{.01, .5, 0}});
         const FloorMap map = map_of(s, sample(grid, periodic, wave));
         const TruthMap truth = truth_map({s, 4, 64, 1e-5}, as_truth(grid, periodic, wave));

@@ -193,6 +193,7 @@ TEST(SunDisc, OfAMapInPeriodicWaterIsAPartOfTheWholeMaps) {
     const Surface surface = sample(grid, periodic, sines({{.006, 1, 0}, {.004, .5, 90}}));
     FloorSettings whole;
     whole.plan = cover(grid, 128, 128);
+    whole.footprint = Footprint::pixel;  // what is judged is the disc
     whole.depth_m = 2;
     whole.sun = {60, 25, 1};
     FloorSettings part = whole;
