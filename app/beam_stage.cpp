@@ -73,12 +73,12 @@ void BeamStage::draw(const Surface& surface) {
 }
 
 void BeamStage::add_frame(double time_s) {
-    const BeamLedger& ledger = beams_.ledger;
+    const LightLedger ledger = light_ledger(beams_.ledger, scenario_.optics);
     record_.last_ledger = ledger;
-    record_.sum = record_.sum + ledger;
+    record_.sum += ledger;
     record_.closure = std::max(record_.closure, ledger.closure());
     if (ledger.incident_w > 0)
-        record_.discarded_fraction = std::max(record_.discarded_fraction, ledger.discarded_w / ledger.incident_w);
+        record_.discarded_fraction = std::max(record_.discarded_fraction, ledger.lost_w / ledger.incident_w);
     if (scenario_.beams->reflected) {
         record_.last_reflected = reflected_.ledger;
         record_.sum_reflected = record_.sum_reflected + reflected_.ledger;

@@ -8,6 +8,7 @@
 #include "caustics/beam_ground.hpp"
 #include "caustics/beam_point.hpp"
 #include "caustics/beam_renderer.hpp"
+#include "caustics/light_ledger.hpp"
 #include "scenarios/build.hpp"
 
 namespace waterlight {
@@ -26,7 +27,7 @@ struct SliceStatistics {
 /// The light in the water over the run.
 struct BeamRecord {
     std::string backend;  ///< of pictures and fields
-    BeamLedger last_ledger, sum;
+    LightLedger last_ledger, sum;
     double closure = 0;                        ///< largest
     double discarded_fraction = 0;             ///< largest
     BeamLedger last_reflected, sum_reflected;  ///< of the beams above the water, where there are any
@@ -54,6 +55,8 @@ class BeamStage {
     /// The beams alone: between frames, for irradiance_at(). Throws as compute().
     void compute_beams(const Surface& surface);
     BeamRecord record() const;
+    /// Of the last frame taken into the record.
+    const LightLedger& ledger() const { return record_.last_ledger; }
     /// At a place below still water, of the beams computed last.
     PointIrradiance irradiance_at(glm::dvec2 at_m, double depth_m) const;
 

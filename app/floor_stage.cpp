@@ -4,6 +4,7 @@
 #include <fstream>
 #include <limits>
 
+#include "app/lit_mapper.hpp"
 #include "app/readings.hpp"
 #include "caustics/beam_renderer_vulkan.hpp"
 #include "caustics/floor_vulkan.hpp"
@@ -18,17 +19,27 @@ namespace {
 /// The two-pass map, by either back-end.
 class TwoPassStage final : public FloorStage {
   public:
-    TwoPassStage(const FloorPlan& plan, std::unique_ptr<FloorMapper> mapper)
-        : plan_(plan), mapper_(std::move(mapper)) {}
-    void compute(const Surface& surface, FloorMap& map) override { mapper_->compute(surface, map); }
+    TwoPassStage(const FloorSettings& settings, LitMapper lit)
+        : plan_(settings.plan), optics_(settings.optics), lit_(std::move(lit)) {}
+    void compute(const Surface& surface, FloorMap& map) override { lit_.mapper->compute(surface, map); }
     double error_estimate() const override { return std::numeric_limits<double>::quiet_NaN(); }
     double irradiance_at(const Surface&, const FloorMap& map, glm::dvec2 at_m) const override {
         return pixel_at(plan_, map.irradiance, at_m);
     }
+    LightLedger ledger(const FloorMap& map) const override {
+        if (!lit_.spectral) return light_ledger(map.ledger, optics_);
+        LightLedger sum;
+        for (const BandMap& band : lit_.spectral->maps()) sum += light_ledger(band.map.ledger, band.band.optics);
+        return sum;
+    }
+    std::span<const BandMap> bands() const override {
+        return lit_.spectral ? std::span<const BandMap>(lit_.spectral->maps()) : std::span<const BandMap>();
+    }
 
   private:
     FloorPlan plan_;
-    std::unique_ptr<FloorMapper> mapper_;
+    WaterOptics optics_;
+    LitMapper lit_;
 };
 
 /// The converged map: of the formula itself where there is one, else of the smooth surface through the cells.
@@ -45,6 +56,7 @@ class TruthStage final : public FloorStage {
         error_ = truth.error_estimate;
     }
     double error_estimate() const override { return error_; }
+    LightLedger ledger(const FloorMap& map) const override { return light_ledger(map.ledger, settings_.floor.optics); }
 
     double irradiance_at(const Surface& surface, const FloorMap& map, glm::dvec2 at_m) const override {
         const FloorPlan& plan = settings_.floor.plan;
@@ -123,9 +135,11 @@ std::unique_ptr<FloorStage> make_floor_stage(const Scenario& scenario, const Bui
         truth.subsamples = std::min(truth.subsamples, truth.most_subsamples);
         return std::make_unique<TruthStage>(truth, model.prescribed ? model.prescribed->formula() : nullptr);
     }
+    FloorMaker make = make_floor_cpu;
     if (decision.backend == Backend::vulkan)
-        return std::make_unique<TwoPassStage>(settings.plan, make_floor_vulkan(settings, decision.context));
-    return std::make_unique<TwoPassStage>(settings.plan, make_floor_cpu(settings));
+        make = [context = decision.context](const FloorSettings& s) { return make_floor_vulkan(s, context); };
+    if (scenario.floor->on.receiver == Receiver::ground) make = ground_maker(scenario, *model.shallow);
+    return std::make_unique<TwoPassStage>(settings, make_lit_mapper(scenario, settings, make));
 }
 
 std::unique_ptr<BeamRenderer> make_beam_renderer(const BackendDecision& decision) {

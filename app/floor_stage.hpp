@@ -2,11 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "caustics/beam_renderer.hpp"
-#include "caustics/floor.hpp"
+#include "caustics/light_ledger.hpp"
+#include "caustics/spectral_floor.hpp"
 #include "gpu/context.hpp"
 #include "scenarios/build.hpp"
 
@@ -44,6 +46,10 @@ class FloorStage {
     /// Irradiance (W/m2) at a place on the floor of the map just computed from `surface`: of the pixel that holds it,
     /// by the truth of the place itself; NaN beyond the map.
     virtual double irradiance_at(const Surface& surface, const FloorMap& map, glm::dvec2 at_m) const = 0;
+    /// Where the light of the last map went.
+    virtual LightLedger ledger(const FloorMap& map) const = 0;
+    /// Where light is in colour, the map of each wavelength; else none.
+    virtual std::span<const BandMap> bands() const { return {}; }
 };
 
 /// `model` must outlive the result: the truth of a formula is computed from the formula.

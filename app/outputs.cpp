@@ -7,12 +7,15 @@
 #include <limits>
 #include <regex>
 
+#include "app/ledger_table.hpp"
+#include "export/colour_picture.hpp"
 #include "export/exr.hpp"
 #include "export/frames.hpp"
 #include "export/grey16.hpp"
 #include "export/picture.hpp"
 #include "export/runup.hpp"
 #include "scenarios/resolve.hpp"
+#include "scenarios/resolve_light.hpp"
 #include "sim/error.hpp"
 
 namespace waterlight {
@@ -51,6 +54,17 @@ Field<float> wet_part(const Surface& surface, double wet_m) {
     return shown;
 }
 
+std::vector<std::string> columns_of_ledgers(const Scenario& scenario) {
+    std::vector<std::string> columns;
+    const auto add = [&](const std::string& follower) {
+        for (std::string& column : ledger_columns(follower)) columns.push_back(std::move(column));
+    };
+    if (scenario.floor) add("floor");
+    if (scenario.beams) add("beams");
+    if (scenario.walls) add("walls");
+    return columns;
+}
+
 Surface copy_of(const Surface& surface, const OutputSection& settings, double still_depth_m) {
     const auto copy_if = [](bool wanted, const std::optional<Field<float>>& field) {
         return wanted && field ? std::optional(field->clone()) : std::nullopt;
@@ -81,8 +95,12 @@ fs::path made_folder(fs::path folder) {
 
 /// Names that only a run of ours gives to files.
 constexpr const char* our_names =
-    "(surface|floor|volume)\\.pvd|(surface/surface|floor/floor|volume/volume)_[0-9]{6,}\\.vti|"
-    "images/(elevation|irradiance|radiance)(16)?_[0-9]{6,}\\.(png|exr)|probes\\.csv|extremes\\.vti|runup\\.csv";
+    "(surface|floor|volume|walls)\\.pvd|walls/(west|east|south|north)_[0-9]{6,}\\.vti|(surface/surface|floor/"
+    "floor|volume/volume)_[0-9]{6,}\\.vti|"
+    "images/"
+    "(elevation|irradiance|radiance|colour|wall_(west|east|south|north))(16)?_[0-9]{6,}\\.(png|exr)|(probes|ledger)\\."
+    "csv|extremes\\.vti|runup\\."
+    "csv";
 
 void remove_stale(const fs::path& folder, const std::set<fs::path>& written) {
     const std::regex ours(our_names);
@@ -90,7 +108,8 @@ void remove_stale(const fs::path& folder, const std::set<fs::path>& written) {
         return std::regex_match(path.lexically_relative(folder).generic_string(), ours);
     };
     std::vector<fs::path> stale;
-    for (const fs::path& sub : {folder, folder / "surface", folder / "floor", folder / "volume", folder / "images"}) {
+    for (const fs::path& sub :
+         {folder, folder / "surface", folder / "floor", folder / "volume", folder / "walls", folder / "images"}) {
         std::error_code ignored;
         for (const fs::directory_entry& entry : fs::directory_iterator(sub, ignored))
             if (is_ours(entry.path()) && !written.contains(entry.path())) stale.push_back(entry.path());
@@ -109,6 +128,8 @@ std::size_t FrameFiles::bytes() const {
         surface.elevation.size() + surface.slope_x.size() + surface.slope_y.size() + irradiance.size() + shown.size();
     for (const auto* field : {&surface.velocity_x, &surface.velocity_y, &surface.depth})
         if (*field) count += (*field)->size();
+    for (const Field<float>& wall : walls) count += wall.size();
+    for (const BandFiles& band : bands) count += band.irradiance.size();
     count += plane_irradiance.size() + scalar_irradiance.size() + radiance.size();
     return count * sizeof(float);
 }
@@ -122,11 +143,17 @@ Outputs::Outputs(fs::path folder, const Scenario& scenario, double still_irradia
       surface_series_(folder_, "surface", settings_.compression),
       floor_series_(folder_, "floor", settings_.compression),
       volume_series_(folder_, "volume", settings_.compression),
+      walls_series_(folder_, "walls", settings_.compression),
       has_volume_(scenario.beams && scenario.beams->volume_cells),
       has_picture_(scenario.camera.has_value()),
       radiance_max_(scenario.camera ? scenario.camera->radiance_max : std::nullopt),
       radiance_decades_(scenario.camera ? scenario.camera->radiance_decades : std::nullopt) {
     if (scenario.floor) plan_ = floor_settings(scenario).plan;
+    if (scenario.walls) walls_ = wall_settings(scenario);
+    if (const std::vector<std::string> ledgers = columns_of_ledgers(scenario); !ledgers.empty()) {
+        ledgers_.emplace(folder_ / "ledger.csv", ledgers);
+        written_.insert(folder_ / "ledger.csv");
+    }
     if (scenario.probes.empty()) return;
     const std::vector<std::string> columns = probe_columns(scenario);
     probes_.emplace(folder_ / "probes.csv", columns);
@@ -138,6 +165,10 @@ void Outputs::push(const FrameView& view, std::vector<double> probes) {
     FrameFiles frame;
     frame.surface = copy_of(surface, settings_, depth_m_);
     if (view.floor) frame.irradiance = view.floor->irradiance.clone();
+    for (std::size_t w = 0; view.walls && w < frame.walls.size(); ++w)
+        frame.walls[w] = view.walls->irradiance[w].clone();
+    for (const BandMap& band : view.bands)
+        frame.bands.push_back({band.band.wavelength_nm, band.band.share, band.map.irradiance.clone()});
     if (view.volume && settings_.wants("vti")) {
         frame.volume_cells = view.volume->cells;
         frame.volume_depth_m = view.volume->depth_m;
@@ -148,6 +179,7 @@ void Outputs::push(const FrameView& view, std::vector<double> probes) {
     const bool pictures = settings_.wants("png") || settings_.wants("png16");
     if (pictures && surface.depth) frame.shown = wet_part(surface, wet_m_);
     frame.probes = std::move(probes);
+    frame.ledgers = ledger_row(view.ledgers);
     const std::size_t bytes = frame.bytes();
     queue_.push(bytes, [this, frame = std::move(frame)] { write(frame); });
 }
@@ -178,7 +210,10 @@ void Outputs::write_fields(const FrameFiles& frame) {
     written_.insert(surface_series_.write(fields));
     written_.insert(folder_ / "surface.pvd");
     if (plan_) {
-        written_.insert(floor_series_.write(floor_frame(*plan_, depth_m_, time_s, frame.irradiance)));
+        VtiFrame floor = floor_frame(*plan_, depth_m_, time_s, frame.irradiance);
+        for (const BandFiles& band : frame.bands)
+            floor.arrays.push_back({fmt::format("irradiance_{}nm", band.wavelength_nm), {band.irradiance.values()}});
+        written_.insert(floor_series_.write(floor));
         written_.insert(folder_ / "floor.pvd");
     }
     if (has_volume_) {
@@ -187,6 +222,20 @@ void Outputs::write_fields(const FrameFiles& frame) {
                                               frame.plane_irradiance, frame.scalar_irradiance)));
         written_.insert(folder_ / "volume.pvd");
     }
+    if (walls_) write_walls(frame);
+}
+
+void Outputs::write_walls(const FrameFiles& frame) {
+    const WaterBody water{frame.surface.grid, depth_m_, frame.surface.time_s};
+    std::vector<VtiPart> parts;
+    for (int wall = 0; wall < 4; ++wall) {
+        const Field<float>& map = frame.walls[static_cast<std::size_t>(wall)];
+        if (map.empty()) continue;
+        const WallPlan plan = wall_plan(*walls_, water.grid, wall);
+        parts.push_back({std::string(wall_names[static_cast<std::size_t>(wall)]), wall_frame(water, wall, plan, map)});
+    }
+    for (const fs::path& path : walls_series_.write_parts(parts)) written_.insert(path);
+    written_.insert(folder_ / "walls.pvd");
 }
 
 void Outputs::write(const FrameFiles& frame) {
@@ -196,6 +245,7 @@ void Outputs::write(const FrameFiles& frame) {
     if (settings_.wants("png16")) write_greys(frame);
     if (settings_.wants("exr")) write_exrs(frame);
     if (probes_) probes_->append(time_s, frame.probes);
+    if (ledgers_) ledgers_->append(time_s, frame.ledgers);
     ++frame_;
 }
 
@@ -217,6 +267,7 @@ void Outputs::write_pictures(const FrameFiles& frame) {
                                     .missing = ground_colour};
     write_picture(image("elevation", "png"), frame.shown.empty() ? frame.surface.elevation : frame.shown, elevation);
     if (has_picture_) write_radiance(frame);
+    if (walls_) write_wall_pictures(frame);
     if (!plan_) return;
     const PictureSettings irradiance{.map = ColourMap::viridis,
                                      .range = {0, irradiance_max_},
@@ -225,6 +276,34 @@ void Outputs::write_pictures(const FrameFiles& frame) {
                                      .time_s = time_s,
                                      .pitch_m = plan_->pitch_m};
     write_picture(image("irradiance", "png"), frame.irradiance, irradiance);
+    if (frame.bands.size() == 3) write_colour(frame);
+}
+
+void Outputs::write_wall_pictures(const FrameFiles& frame) {
+    for (int wall = 0; wall < 4; ++wall) {
+        const auto w = static_cast<std::size_t>(wall);
+        if (frame.walls[w].empty()) continue;
+        write_picture(image(fmt::format("wall_{}", wall_names[w]), "png"), frame.walls[w],
+                      {.map = ColourMap::viridis,
+                       .range = {0, irradiance_max_},
+                       .quantity = fmt::format("Irradiance on the {} wall", wall_names[w]),
+                       .unit = "W/m\u00b2",
+                       .time_s = frame.surface.time_s,
+                       .pitch_m = wall_plan(*walls_, frame.surface.grid, wall).pitch_m});
+    }
+}
+
+/// The longest wavelength is red; sunlight of the brightness at the end of the pictures' colours is white.
+void Outputs::write_colour(const FrameFiles& frame) {
+    std::vector<const BandFiles*> bands;
+    for (const BandFiles& band : frame.bands) bands.push_back(&band);
+    std::ranges::sort(bands, std::greater{}, &BandFiles::wavelength_nm);
+    ColourFields fields;
+    for (std::size_t c = 0; c < 3; ++c) {
+        fields.field[c] = &bands[c]->irradiance;
+        fields.full[c] = irradiance_max_ * bands[c]->share;
+    }
+    write_colour_picture(image("colour", "png"), fields);
 }
 
 void Outputs::write_radiance(const FrameFiles& frame) {
@@ -279,6 +358,7 @@ std::vector<std::string> Outputs::guide() const {
     if (settings_.wants("vti")) {
         add(folder_ / "surface.pvd", "surface in time: ParaView, or python3-vtk9");
         if (has_volume_) add(folder_ / "volume.pvd", "irradiance in the water in time: ParaView, or python3-vtk9");
+        if (walls_) add(folder_ / "walls.pvd", "irradiance on the walls in time: ParaView, or python3-vtk9");
         if (plan_) add(folder_ / "floor.pvd", "floor irradiance in time: ParaView, or python3-vtk9");
     }
     if (settings_.wants("exr")) add(folder_ / "images" / "*.exr", "full precision: any OpenEXR viewer");
@@ -286,6 +366,7 @@ std::vector<std::string> Outputs::guide() const {
     if (has_end_ && settings_.wants("vti") && wants_extremes(settings_))
         add(folder_ / "extremes.vti", "highest water, speed, arrival: ParaView, or python3-vtk9");
     if (probes_) add(folder_ / "probes.csv", "gauges: any spreadsheet");
+    if (ledgers_) add(folder_ / "ledger.csv", "where the light went: any spreadsheet");
     add(folder_ / "report.json", "numbers, checks, times: any text editor");
     return lines;
 }

@@ -5,12 +5,15 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "caustics/beam_image.hpp"
 #include "caustics/beam_volume.hpp"
-#include "caustics/floor.hpp"
+#include "caustics/light_ledger.hpp"
+#include "caustics/spectral_floor.hpp"
+#include "caustics/walls.hpp"
 #include "export/probes.hpp"
 #include "export/queue.hpp"
 #include "export/range.hpp"
@@ -28,18 +31,30 @@ struct FrameView {
     const FloorMap* floor = nullptr;
     const BeamVolume* volume = nullptr;
     const BeamImage* picture = nullptr;
+    const WallMaps* walls = nullptr;
+    std::span<const BandMap> bands = {};    ///< of light in colour
+    std::vector<LightLedger> ledgers = {};  ///< of the floor map, the beams and the walls, those there are
+};
+
+/// The map of one wavelength.
+struct BandFiles {
+    double wavelength_nm = 0, share = 1;
+    Field<float> irradiance;
 };
 
 /// One frame as it is handed over to be written: copies that the run may then forget.
 struct FrameFiles {
     Surface surface;
-    Field<float> irradiance;  ///< empty without a floor map
-    Field<float> shown;       ///< elevation as pictures show it: NaN on dry ground; empty where there is none
+    Field<float> irradiance;            ///< empty without a floor map
+    std::vector<BandFiles> bands;       ///< of light in colour
+    std::array<Field<float>, 4> walls;  ///< those there are
+    Field<float> shown;                 ///< elevation as pictures show it: NaN on dry ground; empty where there is none
     glm::ivec3 volume_cells{0, 0, 0};
     double volume_depth_m = 1;
     Field<float> plane_irradiance, scalar_irradiance;  ///< in the water; empty without fields
     Field<float> radiance;                             ///< empty without a camera
     std::vector<double> probes;
+    std::vector<double> ledgers;  ///< a row of ledger.csv
 
     std::size_t bytes() const;
 };
@@ -70,6 +85,9 @@ class Outputs {
     void write(const FrameFiles& frame);
     void write_fields(const FrameFiles& frame);
     void write_pictures(const FrameFiles& frame);
+    void write_walls(const FrameFiles& frame);
+    void write_wall_pictures(const FrameFiles& frame);
+    void write_colour(const FrameFiles& frame);
     void write_radiance(const FrameFiles& frame);
     void write_greys(const FrameFiles& frame);
     void write_exrs(const FrameFiles& frame);
@@ -87,12 +105,15 @@ class Outputs {
     VtiSeries surface_series_;
     VtiSeries floor_series_;
     VtiSeries volume_series_;
+    VtiSeries walls_series_;
+    std::optional<WallSettings> walls_;
     bool has_volume_;
     bool has_picture_;
     std::optional<double> radiance_max_;  ///< of the pictures: as the scenario says, else the largest so far
     std::optional<double> radiance_decades_;
     double radiance_so_far_ = 0;
     std::optional<ProbeTable> probes_;
+    std::optional<ProbeTable> ledgers_;  ///< where light is followed
     bool has_end_ = false;
     int frame_ = 0;
     std::set<std::filesystem::path> written_;

@@ -13,23 +13,17 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-void add_ledger(const FloorLedger& l, std::map<std::string, double>& q) {
-    q["floor.ledger.incident"] = l.incident_w;
-    q["floor.ledger.entered"] = l.entered_w;
-    q["floor.ledger.reflected"] = l.reflected_w;
-    q["floor.ledger.extinguished"] = l.extinguished_w;
-    q["floor.ledger.floor"] = l.floor_w;
-    q["floor.ledger.outside"] = l.outside_w;
-    q["floor.ledger.lost"] = l.lost_w;
-}
-
-void add_ledger(const BeamLedger& l, std::map<std::string, double>& q) {
-    q["beams.ledger.incident"] = l.incident_w;
-    q["beams.ledger.reflected"] = l.reflected_w;
-    q["beams.ledger.extinguished"] = l.extinguished_w;
-    q["beams.ledger.floor"] = l.floor_w;
-    q["beams.ledger.outside"] = l.outside_w;
-    q["beams.ledger.discarded"] = l.discarded_w;
+void add_ledger(std::string_view of, const LightLedger& l, std::map<std::string, double>& q) {
+    const auto add = [&](std::string_view row, double watts) { q[fmt::format("{}.ledger.{}", of, row)] = watts; };
+    add("incident", l.incident_w);
+    add("entered", l.entered_w);
+    add("reflected", l.reflected_w);
+    add("absorbed", l.absorbed_w);
+    add("scattered", l.scattered_w);
+    add("floor", l.floor_w);
+    add("walls", l.walls_w);
+    add("outside", l.outside_w);
+    add("lost", l.lost_w);
 }
 
 void add_slices(const std::vector<SliceStatistics>& slices, std::map<std::string, double>& q) {
@@ -47,7 +41,7 @@ void add_slices(const std::vector<SliceStatistics>& slices, std::map<std::string
 }
 
 void add_beams(const BeamRecord& beams, std::map<std::string, double>& q) {
-    add_ledger(beams.last_ledger, q);
+    add_ledger("beams", beams.last_ledger, q);
     q["beams.ledger_closure"] = beams.closure;
     q["beams.discarded_fraction"] = beams.discarded_fraction;
     q["beams.reflected_fraction"] = beams.sum.incident_w > 0 ? beams.sum.reflected_w / beams.sum.incident_w : none;
@@ -66,6 +60,13 @@ void add_flicker(const std::string& prefix, const ProbeRecord& probe, std::map<s
     q[prefix + "irradiance_skewness"] = flicker.skewness;
     q[prefix + "flash_rate"] = flicker.flash_rate_hz;
     q[prefix + "longest_flash"] = flicker.longest_flash_s;
+}
+
+void add_walls(const WallRecord& walls, std::map<std::string, double>& q) {
+    add_ledger("walls", walls.last_ledger, q);
+    q["walls.ledger_closure"] = walls.closure;
+    for (std::size_t w = 0; w < wall_names.size(); ++w)
+        q[fmt::format("walls.{}", wall_names[w])] = walls.last_power_w[w];
 }
 
 }  // namespace
@@ -108,12 +109,13 @@ std::map<std::string, double> quantities_of(const RunRecord& r) {
         q["floor.min_irradiance"] = r.floor->last.min;
         q["floor.max_irradiance"] = r.floor->last.max;
         q["floor.cv"] = r.floor->last.cv;
-        add_ledger(r.floor->last_ledger, q);
+        add_ledger("floor", r.floor->last_ledger, q);
         q["floor.lost_fraction"] = r.floor->lost_fraction;
         q["floor.ledger_closure"] = r.floor->closure;
         q["floor.truth_error"] = r.floor->truth_error;
     }
     if (r.beams) add_beams(*r.beams, q);
+    if (r.walls) add_walls(*r.walls, q);
     for (const auto& [name, probe] : r.probes) {
         const std::string prefix = fmt::format("probe.{}.", name);
         q[prefix + "elevation"] = probe.elevation;

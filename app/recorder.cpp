@@ -13,16 +13,6 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-void add(FloorLedger& sum, const FloorLedger& l) {
-    sum.incident_w += l.incident_w;
-    sum.reflected_w += l.reflected_w;
-    sum.extinguished_w += l.extinguished_w;
-    sum.floor_w += l.floor_w;
-    sum.outside_w += l.outside_w;
-    sum.lost_w += l.lost_w;
-    sum.entered_w += l.entered_w;
-}
-
 }  // namespace
 
 Recorder::Recorder(const Scenario& scenario)
@@ -53,15 +43,15 @@ void Recorder::add_waves(double time_s, const WaveDiagnostics& now) {
     }
 }
 
-void Recorder::add_floor(const FloorMap& map, double error_estimate) {
+void Recorder::add_floor(const FloorMap& map, const LightLedger& ledger, double error_estimate) {
     if (!record_.floor) record_.floor.emplace();
     FloorRecord& floor = *record_.floor;
     floor.window = map.window;
-    floor.last_ledger = map.ledger;
-    add(floor.sum, map.ledger);
-    const double light = map.ledger.incident_w + map.ledger.entered_w;
-    floor.lost_fraction = std::max(floor.lost_fraction, light > 0 ? map.ledger.lost_w / light : 0);
-    floor.closure = std::max(floor.closure, map.ledger.closure());
+    floor.last_ledger = ledger;
+    floor.sum += ledger;
+    const double light = ledger.incident_w + ledger.entered_w;
+    floor.lost_fraction = std::max(floor.lost_fraction, light > 0 ? ledger.lost_w / light : 0);
+    floor.closure = std::max(floor.closure, ledger.closure());
     floor.truth_error = error_estimate;
 }
 

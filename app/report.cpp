@@ -29,39 +29,33 @@ std::string hash_of(const Origin& origin) {
     return fmt::format("fnv1a64:{:016x}", hash);
 }
 
-Json ledger_json(const FloorLedger& l, double per) {
-    return {{"incident_w", l.incident_w * per},   {"entered_w", l.entered_w * per},
-            {"reflected_w", l.reflected_w * per}, {"extinguished_w", l.extinguished_w * per},
-            {"floor_w", l.floor_w * per},         {"outside_w", l.outside_w * per},
-            {"lost_w", l.lost_w * per},           {"closure", l.closure()}};
+Json ledger_json(const LightLedger& l) {
+    return {{"incident_w", l.incident_w}, {"entered_w", l.entered_w},     {"reflected_w", l.reflected_w},
+            {"absorbed_w", l.absorbed_w}, {"scattered_w", l.scattered_w}, {"floor_w", l.floor_w},
+            {"walls_w", l.walls_w},       {"outside_w", l.outside_w},     {"lost_w", l.lost_w},
+            {"closure", l.closure()}};
 }
 
-Json floor_json(const FloorRecord& floor, FloorMethod method) {
+/// Of all frames together, the last, and the largest part that a frame leaves unaccounted for; each frame's is a row of
+/// ledger.csv.
+Json ledgers_json(const LightLedger& sum, const LightLedger& last, double worst_closure, int frames) {
+    return {{"mean_over_frames", ledger_json(sum.scaled(1.0 / frames))},
+            {"last_frame", ledger_json(last)},
+            {"worst_closure", worst_closure}};
+}
+
+Json floor_json(const FloorRecord& floor, FloorMethod method, bool on_ground) {
     Json json{{"method", method == FloorMethod::truth ? "truth" : "two-pass"},
               {"mean_irradiance_w_m2", floor.last.mean},
               {"min_irradiance_w_m2", floor.last.min},
               {"max_irradiance_w_m2", floor.last.max},
               {"cv", floor.last.cv}};
+    json["receiver"] = on_ground ? "ground" : "flat";
     if (method == FloorMethod::truth)
         json["error_estimate"] = floor.truth_error;
     else
         json["window"] = {{"samples", floor.window.samples}, {"channels", floor.window.channels}};
     return json;
-}
-
-/// What is extinguished is absorbed or scattered, in the proportion of the two coefficients.
-Json ledger_json(const BeamLedger& l, const WaterOptics& optics, double per) {
-    const double extinction = optics.extinction_per_m();
-    const double scattered = extinction > 0 ? l.extinguished_w * optics.scattering_per_m / extinction : 0;
-    return {{"incident_w", l.incident_w * per},
-            {"reflected_w", l.reflected_w * per},
-            {"absorbed_w", (l.extinguished_w - scattered) * per},
-            {"scattered_w", scattered * per},
-            {"floor_w", l.floor_w * per},
-            {"outside_w", l.outside_w * per},
-            {"discarded_w", l.discarded_w * per},
-            {"dry_w", l.dry_w * per},
-            {"closure", l.closure()}};
 }
 
 /// Of the light above the water: the same words, with the surface and the height where it ends for the floor.
@@ -92,9 +86,7 @@ Json slices_json(const std::vector<SliceStatistics>& slices) {
 Json beams_json(const BeamRecord& record, const Scenario& scenario, int frames) {
     Json json{{"backend", record.backend},
               {"grid", {scenario.beams->grid.x, scenario.beams->grid.y}},
-              {"ledger",
-               {{"mean_over_frames", ledger_json(record.sum, scenario.optics, 1.0 / frames)},
-                {"last_frame", ledger_json(record.last_ledger, scenario.optics, 1)}}}};
+              {"ledger", ledgers_json(record.sum, record.last_ledger, record.closure, frames)}};
     if (scenario.beams->reflected)
         json["reflected"] = {{"height_m", scenario.beams->reflected->height_m},
                              {"ledger",
@@ -155,6 +147,7 @@ Json wall_json(const StageTimes& wall) {
     return {{"waves", wall.waves},
             {"caustics.floor", wall.floor},
             {"caustics.beams", wall.beams},
+            {"caustics.walls", wall.walls},
             {"render", 0.0},
             {"export", wall.export_busy},
             {"export_waited", wall.export_blocked},
@@ -200,11 +193,17 @@ nlohmann::ordered_json report_json(const Scenario& scenario, const BackendDecisi
                        {"shorter_than_two_cells_fraction", record.sea->coverage.shorter_fraction},
                        {"significant_height_carried_m", record.sea->significant_height_m()}};
     if (record.floor) {
-        json["ledger"] = {{"mean_over_frames", ledger_json(record.floor->sum, 1.0 / record.frames)},
-                          {"last_frame", ledger_json(record.floor->last_ledger, 1)}};
-        json["floor"] = floor_json(*record.floor, scenario.floor->method);
+        const FloorRecord& floor = *record.floor;
+        json["ledger"] = ledgers_json(floor.sum, floor.last_ledger, floor.closure, record.frames);
+        json["floor"] =
+            floor_json(*record.floor, scenario.floor->method, scenario.floor->on.receiver == Receiver::ground);
     }
     if (record.beams) json["beams"] = beams_json(*record.beams, scenario, record.frames);
+    if (record.walls) {
+        const WallRecord& walls = *record.walls;
+        json["walls"] = {{"backend", "cpu"},
+                         {"ledger", ledgers_json(walls.sum, walls.last_ledger, walls.closure, record.frames)}};
+    }
     if (record.shallow) json["shallow_water"] = shallow_json(*record.shallow);
     if (const Json light = probes_json(record.probes); !light.empty()) json["light_at_probes"] = light;
     json["mass_drift_m"] = record.waves.mass_drift_m;

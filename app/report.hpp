@@ -13,6 +13,7 @@
 #include "app/floor_stage.hpp"
 #include "app/judge.hpp"
 #include "app/readings.hpp"
+#include "app/wall_stage.hpp"
 #include "sim/runup.hpp"
 #include "sim/shallow_water.hpp"
 #include "sim/wave_model.hpp"
@@ -24,6 +25,7 @@ struct StageTimes {
     double waves = 0;
     double floor = 0;
     double beams = 0;
+    double walls = 0;
     double diagnostics = 0;
     double export_busy = 0;     ///< of the thread that writes
     double export_blocked = 0;  ///< that computing waited for it
@@ -50,10 +52,10 @@ struct ProbeRecord {
 struct FloorRecord {
     FloorStatistics last;
     FloorWindow window;  ///< of the last frame
-    FloorLedger last_ledger;
-    FloorLedger sum;           ///< over the frames
+    LightLedger last_ledger;
+    LightLedger sum;           ///< over the frames
     double lost_fraction = 0;  ///< largest
-    double closure = 0;        ///< largest
+    double closure = 0;        ///< largest of a frame
     double truth_error = 0;    ///< NaN where the method has none
 };
 
@@ -90,6 +92,7 @@ struct RunRecord {
     WaveRecord waves;
     std::optional<FloorRecord> floor;
     std::optional<BeamRecord> beams;
+    std::optional<WallRecord> walls;
     std::optional<SeaRecord> sea;
     std::optional<ShallowRecord> shallow;
     std::map<std::string, ProbeRecord> probes;

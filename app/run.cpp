@@ -16,10 +16,12 @@
 #include "app/readings.hpp"
 #include "app/recorder.hpp"
 #include "app/shallow_watch.hpp"
+#include "app/wall_stage.hpp"
 #include "caustics/kernels/optics.hpp"
 #include "export/report.hpp"
 #include "scenarios/build.hpp"
 #include "scenarios/reader.hpp"
+#include "scenarios/resolve_light.hpp"
 #include "sim/error.hpp"
 
 namespace waterlight {
@@ -39,10 +41,16 @@ void timed(double& stage_s, Work work) {
 
 /// Irradiance (W/m2) on the floor below flat water.
 double still_irradiance(const Scenario& s) {
-    const double n = s.optics.refractive_index, fresnel = s.optics.fresnel ? 1 : 0;
-    const f64::Refraction r = f64::refract_sun(s.light.direction(), {0, 0}, n, fresnel);
-    const double remaining = f64::beer_lambert(s.optics.extinction_per_m(), s.domain.depth_m * r.path);
-    return s.light.irradiance_w_m2 * r.incident * r.transmittance * remaining;
+    std::vector<Band> bands = bands_of(s);
+    if (bands.empty()) bands.push_back({.optics = s.optics});
+    double sum = 0;
+    for (const Band& band : bands) {
+        const double n = band.optics.refractive_index, fresnel = band.optics.fresnel ? 1 : 0;
+        const f64::Refraction r = f64::refract_sun(s.light.direction(), {0, 0}, n, fresnel);
+        const double remaining = f64::beer_lambert(band.optics.extinction_per_m(), s.domain.depth_m * r.path);
+        sum += band.share * s.light.irradiance_w_m2 * r.incident * r.transmittance * remaining;
+    }
+    return sum;
 }
 
 constexpr double slack = 1e-9;  // of an interval: a duration that is a multiple but for rounding
@@ -113,6 +121,7 @@ class Run {
         if (scenario.beams)
             for_section(scenario, "caustics.beams",
                         [&] { beams_.emplace(scenario, waves_, make_beam_renderer(backend_)); });
+        if (scenario.walls) walls_.emplace(scenario);
     }
 
     bool go() {
@@ -165,6 +174,7 @@ class Run {
         look();
         if (floor_) timed(wall().floor, [&] { floor_->compute(*surface_, map_); });
         if (beams_) timed(wall().beams, [&] { beams_->compute(*surface_); });
+        if (walls_) timed(wall().walls, [&] { walls_->compute(*surface_); });
     }
 
     /// What probes read between frames. The truth of a place needs no map.
@@ -213,16 +223,19 @@ class Run {
             if (shallow_ && watched) shallow_->add_totals();
             recorder_.add_frame(time_s);
             if (floor_) {
-                recorder_.add_floor(map_, floor_->error_estimate());
+                recorder_.add_floor(map_, floor_->ledger(map_), floor_->error_estimate());
                 if (last || is_checked) recorder_.add_statistics(map_);
             }
             if (beams_) beams_->add_frame(time_s);
+            if (walls_) walls_->add_frame();
             probes = read_probes();
             checks_.add_row(time_s, recorder_.record().probes);
             if (is_checked) add_checked(time_s);
         });
         const FrameFields now = fields();
-        outputs.push({now.surface, now.floor, now.volume, now.picture}, std::move(probes));
+        const std::span<const BandMap> bands = floor_ ? floor_->bands() : std::span<const BandMap>();
+        const WallMaps* walls = walls_ ? &walls_->maps() : nullptr;
+        outputs.push({now.surface, now.floor, now.volume, now.picture, walls, bands, ledgers()}, std::move(probes));
     }
 
     FrameFields fields() const {
@@ -245,8 +258,18 @@ class Run {
         record.waves.model = waves_.model->name();
         record.waves.steps = waves_.model->steps();
         if (beams_) record.beams = beams_->record();
+        if (walls_) record.walls = walls_->record();
         if (waves_.airy && !waves_.sea.empty()) record.sea = SeaRecord{waves_.airy->sea_coverage(), waves_.sea};
         return record;
+    }
+
+    /// Of the frame just recorded, in the order of the columns of ledger.csv.
+    std::vector<LightLedger> ledgers() {
+        std::vector<LightLedger> all;
+        if (floor_) all.push_back(recorder_.record().floor->last_ledger);
+        if (beams_) all.push_back(beams_->ledger());
+        if (walls_) all.push_back(walls_->maps().ledger);
+        return all;
     }
 
     void record_row(double time_s, Outputs& outputs) {
@@ -312,6 +335,7 @@ class Run {
     BuiltModel waves_;
     std::unique_ptr<FloorStage> floor_;
     std::optional<BeamStage> beams_;
+    std::optional<WallStage> walls_;
     Recorder recorder_;
     CheckWatch checks_;
     std::optional<ShallowWatch> shallow_;

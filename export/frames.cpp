@@ -40,6 +40,20 @@ VtiFrame floor_frame(const FloorPlan& plan, double depth_m, double time_s, const
     return frame;
 }
 
+VtiFrame wall_frame(const WaterBody& water, int wall, const WallPlan& plan, const Field<float>& irradiance) {
+    assert(irradiance.nx() == plan.columns && irradiance.ny() == plan.rows);
+    const Grid& g = water.grid;
+    const bool along_y = wall < 2;
+    VtiFrame frame;
+    frame.cells = along_y ? glm::ivec3{0, plan.columns, plan.rows} : glm::ivec3{plan.columns, 0, plan.rows};
+    frame.origin_m = {wall == 1 ? g.x0_m + g.width_m() : g.x0_m, wall == 3 ? g.y0_m + g.height_m() : g.y0_m,
+                      -water.depth_m};
+    frame.pitch_m = {along_y ? 1 : plan.pitch_m.x, along_y ? plan.pitch_m.x : 1, plan.pitch_m.y};
+    frame.time_s = water.time_s;
+    frame.arrays.push_back({"irradiance", {irradiance.values()}});
+    return frame;
+}
+
 VtiFrame extremes_frame(const Grid& grid, double time_s, const Field<float>& bed_m, const ShallowRecords& records,
                         const std::vector<std::string>& wanted) {
     VtiFrame frame = frame_of(grid, time_s);

@@ -13,7 +13,7 @@ namespace waterlight {
 
 namespace {
 
-enum class ColourType : std::uint8_t { grey = 0, palette = 3 };
+enum class ColourType : std::uint8_t { grey = 0, colour = 2, palette = 3 };
 
 std::string big_endian(std::uint32_t value) {
     return {static_cast<char>(value >> 24), static_cast<char>(value >> 16), static_cast<char>(value >> 8),
@@ -91,6 +91,13 @@ std::string encode_png(const GreyImage& image, const PngText& text) {
     }
     return header(image.width, image.height, 16, ColourType::grey) + text_chunks(text) +
            chunk("IDAT", deflated(filtered(bytes, row, 2))) + chunk("IEND", "");
+}
+
+std::string encode_png(const ColourImage& image, const PngText& text) {
+    const std::size_t row = 3 * static_cast<std::size_t>(image.width);
+    assert(image.pixels.size() == row * static_cast<std::size_t>(image.height));
+    return header(image.width, image.height, 8, ColourType::colour) + text_chunks(text) +
+           chunk("IDAT", deflated(filtered(image.pixels, row, 3))) + chunk("IEND", "");
 }
 
 }  // namespace waterlight

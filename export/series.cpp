@@ -27,13 +27,22 @@ VtiSeries::VtiSeries(std::filesystem::path folder, std::string name, Compression
 }
 
 std::filesystem::path VtiSeries::write(const VtiFrame& frame) {
-    const std::string file = fmt::format("{0}/{0}_{1:06}.vti", name_, frames_);
-    const std::filesystem::path path = folder_ / file;
-    write_vti(path, frame, compression_);
-    entries_ += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", frame.time_s, file);
+    const VtiPart part{name_, frame};
+    return write_parts({&part, 1}).front();
+}
+
+std::vector<std::filesystem::path> VtiSeries::write_parts(std::span<const VtiPart> parts) {
+    std::vector<std::filesystem::path> paths;
+    for (const VtiPart& part : parts) {
+        const std::string file = fmt::format("{}/{}_{:06}.vti", name_, part.name, frames_);
+        write_vti(folder_ / file, part.frame, compression_);
+        entries_ += fmt::format("    <DataSet timestep=\"{}\" part=\"{}\" file=\"{}\"/>\n", part.frame.time_s,
+                                paths.size(), file);
+        paths.push_back(folder_ / file);
+    }
     ++frames_;
     write_file(folder_ / (name_ + ".pvd"), head + entries_ + foot);
-    return path;
+    return paths;
 }
 
 }  // namespace waterlight

@@ -2,11 +2,19 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "export/vti.hpp"
 
 namespace waterlight {
+
+/// A part of a frame: its name, of letters, digits and underscores, and what it holds.
+struct VtiPart {
+    std::string name;
+    VtiFrame frame;
+};
 
 /// FOLDER/NAME.pvd and FOLDER/NAME/NAME_000000.vti, NAME_000001.vti, ...
 class VtiSeries {
@@ -17,6 +25,9 @@ class VtiSeries {
     /// Writes the frame and then the .pvd that names it too, each whole or not at all: whenever the process ends, the
     /// .pvd names whole files only. Returns the path of the frame. Throws WorldError.
     std::filesystem::path write(const VtiFrame& frame);
+
+    /// As write(), of a frame in several parts: FOLDER/NAME/PART_000000.vti of each. Returns their paths.
+    std::vector<std::filesystem::path> write_parts(std::span<const VtiPart> parts);
 
     int frames() const { return frames_; }
 

@@ -95,8 +95,8 @@ void set_compression(vtkXMLImageDataWriter& writer, Compression compression) {
 }  // namespace
 
 std::size_t VtiFrame::values() const {
-    const std::size_t sheet = static_cast<std::size_t>(cells.x) * static_cast<std::size_t>(cells.y);
-    return sheet * static_cast<std::size_t>(cells.z > 0 ? cells.z : 1);
+    const auto count = [](int n) { return static_cast<std::size_t>(n > 0 ? n : 1); };
+    return count(cells.x) * count(cells.y) * count(cells.z);
 }
 
 std::size_t VtiFrame::bytes() const {

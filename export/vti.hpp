@@ -20,7 +20,7 @@ struct VtiArray {
 };
 
 /// A block of cells: counts, outer corner of the first cell, cell sizes, turned by angle_deg about the vertical through
-/// the corner. cells.z = 0 is a flat sheet (cells.x * cells.y values per component).
+/// the corner. Where one count is 0 it is a flat sheet across that axis.
 struct VtiFrame {
     glm::ivec3 cells{1, 1, 0};
     glm::dvec3 origin_m{0, 0, 0};

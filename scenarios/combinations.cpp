@@ -168,6 +168,7 @@ void check_combinations(const Scenario& s) {
     check_output(s);
     check_floor(s);
     check_beams(s);
+    check_light(s);
     check_probes(s);
     check_checks(s);
 }

@@ -20,5 +20,8 @@ void check_shallow(const Scenario& scenario);
 void check_beams(const Scenario& scenario);
 /// Throws InputError where a check names what the run does not have, or contradicts itself.
 void check_checks(const Scenario& scenario);
+/// Throws InputError where the sun's disc or light in colour is stated beside what does not know it, or lists of one
+/// value a wavelength are not.
+void check_light(const Scenario& scenario);
 
 }  // namespace waterlight

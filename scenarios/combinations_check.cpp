@@ -23,6 +23,7 @@ std::string_view lacking_section(const Scenario& s, const std::string& quantity)
     };
     const bool of_floor = quantity.starts_with("floor.") || is_of_light(quantity);
     if (quantity.starts_with("beams.")) return s.beams ? "" : "[caustics.beams]";
+    if (quantity.starts_with("walls.")) return s.walls ? "" : "[caustics.walls]";
     if (quantity.starts_with("volume.")) return s.beams && s.beams->volume_cells ? "" : "caustics.beams.volume_cells";
     if (quantity.starts_with("camera.")) return s.camera ? "" : "[camera]";
     if (quantity.starts_with("sea.")) return s.waves.spectrum || s.waves.buoy ? "" : "waves.spectrum or waves.buoy";

@@ -64,6 +64,7 @@ std::string allowed(const Key& key, const Target& target) {
                    [](std::vector<Resolution>*) {
                        return std::string("list of two values or more: numbers, or lists of as many whole numbers");
                    },
+                   [&](std::vector<double>*) { return with_range("list of numbers, each", key.range); },
                    [](const Choice& c) { return fmt::format("one of {}", fmt::join(c.names, ", ")); },
                    [](const Words& w) { return fmt::format("list of {}", fmt::join(w.names, ", ")); }},
         target);
@@ -90,6 +91,9 @@ std::string value_text(const Target& target) {
                    },
                    [](const std::vector<std::string>* v) { return fmt::format("[{}]", fmt::join(*v, ", ")); },
                    [](const std::vector<Resolution>*) { return std::string("[]"); },
+                   [](const std::vector<double>* v) {
+                       return v->empty() ? std::string() : fmt::format("[{}]", fmt::join(*v, ", "));
+                   },
                    [&](const Choice& c) { return quoted(std::string(c.names[static_cast<std::size_t>(c.selected)])); },
                    [](const Words& w) { return fmt::format("[{}]", fmt::join(*w.values, ", ")); }},
         target);

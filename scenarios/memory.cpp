@@ -7,6 +7,7 @@
 #include <string>
 
 #include "scenarios/resolve.hpp"
+#include "scenarios/resolve_light.hpp"
 
 namespace waterlight {
 
@@ -74,7 +75,8 @@ MemoryEstimate estimate_memory(const Scenario& scenario) {
     }
     if (!scenario.floor) return estimate;
     const glm::ivec2 pixels = scenario.floor->pixels;
-    estimate.pixels = pixels.x * static_cast<double>(pixels.y) * bytes_per_pixel(*scenario.floor);
+    const double maps = std::max<double>(1, static_cast<double>(bands_of(scenario).size()));
+    estimate.pixels = pixels.x * static_cast<double>(pixels.y) * bytes_per_pixel(*scenario.floor) * maps;
     return estimate;
 }
 

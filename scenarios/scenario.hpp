@@ -14,6 +14,7 @@
 #include "export/vti.hpp"
 #include "scenarios/check.hpp"
 #include "scenarios/inflow.hpp"
+#include "scenarios/light_section.hpp"
 #include "scenarios/origin.hpp"
 #include "sim/bathymetry.hpp"
 #include "sim/boundary.hpp"
@@ -69,6 +70,7 @@ struct FloorSection {
     std::optional<FloorWindow> window;  ///< none: auto
     Footprint footprint = Footprint::adaptive;
     int samples_per_pixel = 1;  ///< along each axis
+    ReceiverSection on;
     double angle_deg = 0;
     std::optional<glm::dvec2> centre_m;  ///< none: of the domain
     std::optional<glm::dvec2> size_m;    ///< none: the domain's
@@ -126,12 +128,15 @@ struct Probe {
 struct Scenario {
     std::string title;
     DomainSection domain;
-    Water water;  ///< its depth is the domain's
-    WaterOptics optics;
+    Water water;         ///< its depth is the domain's
+    WaterOptics optics;  ///< of light of one colour
+    WaterColourSection water_colour;
     WavesSection waves;
     Sun light;
+    SunSection sun;
     std::optional<FloorSection> floor;
     std::optional<BeamsSection> beams;
+    std::optional<WallsSection> walls;
     std::optional<CameraSection> camera;
     OutputSection output;
     std::vector<Probe> probes;

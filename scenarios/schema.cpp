@@ -4,6 +4,7 @@
 #include "scenarios/scenario.hpp"
 #include "scenarios/schema_beams.hpp"
 #include "scenarios/schema_check.hpp"
+#include "scenarios/schema_light.hpp"
 #include "scenarios/schema_parts.hpp"
 #include "scenarios/schema_shallow.hpp"
 
@@ -26,7 +27,7 @@ void describe_domain(Visitor& v, DomainSection& s) {
     describe_ground(v, s);
 }
 
-void describe_water(Visitor& v, Water& w, WaterOptics& o) {
+void describe_water(Visitor& v, Water& w, WaterOptics& o, WaterColourSection& c) {
     v.value({"gravity_m_s2", "m/s2", "Acceleration of gravity.", positive}, &w.gravity_m_s2);
     v.value({"density_kg_m3", "kg/m3", "Density.", positive}, &w.density_kg_m3);
     v.value({"surface_tension_n_m", "N/m", "Surface tension; felt by ripples shorter than some 5 cm.", not_negative},
@@ -34,6 +35,7 @@ void describe_water(Visitor& v, Water& w, WaterOptics& o) {
     v.value({"refractive_index", "", "Of the water; that of air is 1.", {.low = 1, .high = 3}}, &o.refractive_index);
     v.value({"fresnel", "", "Whether the surface reflects its share; false lets all light in."}, &o.fresnel);
     describe_optics(v, o);
+    describe_water_colour(v, c);
 }
 
 void describe_sine(Visitor& v, Sine& s) {
@@ -196,6 +198,7 @@ void describe_floor(Visitor& v, FloorSection& s) {
         choice(s.footprint, {"adaptive", "pixel"}));
     v.value({"samples_per_pixel", "", "Samples along each axis of a pixel; method two-pass.", {.low = 1, .high = 16}},
             &s.samples_per_pixel);
+    describe_receiver(v, s.on);
     v.value({"angle_deg", "deg", "Of the map's x axis, counter-clockwise from the domain's.", circle}, &s.angle_deg);
     v.value({"centre_m", "m", "Centre of the map on the floor.", {}, false, "the domain's"}, &s.centre_m);
     v.value({"size_m", "m", "Size of the map.", positive, false, "the domain's"}, &s.size_m);
@@ -244,13 +247,18 @@ void describe(Visitor& v, Scenario& s) {
     v.value({"title", "", "What the scenario shows, in a few words."}, &s.title);
     v.section({"domain", "", "The patch of water."}, [&s](Visitor& in) { describe_domain(in, s.domain); });
     v.section({"water", "", "The water as waves and light feel it."},
-              [&s](Visitor& in) { describe_water(in, s.water, s.optics); });
+              [&s](Visitor& in) { describe_water(in, s.water, s.optics, s.water_colour); });
     v.section({"waves", "", "How the surface moves."}, [&s](Visitor& in) { describe_waves(in, s.waves); });
-    v.section({"light", "", "The sun."}, [&s](Visitor& in) { describe_light(in, s.light); });
+    v.section({"light", "", "The sun."}, [&s](Visitor& in) {
+        describe_light(in, s.light);
+        describe_sun(in, s.sun);
+    });
     v.section({"caustics", "", "The light that the water focuses."}, [&s](Visitor& in) {
         in.optional_section({"floor", "", "The map of irradiance on the floor."}, into(s.floor, describe_floor));
         in.optional_section({"beams", "", "Beams of light in the water, for fields, places and pictures of it."},
                             into(s.beams, describe_beams));
+        in.optional_section({"walls", "", "Maps of irradiance on the walls, of sides with boundary \"wall\"."},
+                            into(s.walls, describe_walls));
     });
     v.optional_section({"camera", "", "A picture of the light that the water scatters; needs caustics.beams."},
                        into(s.camera, describe_camera));

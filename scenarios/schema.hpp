@@ -54,10 +54,10 @@ struct Words {
 };
 
 /// Where the value of a key goes.
-using Target =
-    std::variant<double*, std::optional<double>*, int*, std::uint64_t*, bool*, std::string*,
-                 std::optional<std::string>*, glm::dvec2*, std::optional<glm::dvec2>*, glm::ivec2*, glm::dvec3*,
-                 std::optional<glm::ivec3>*, std::vector<std::string>*, std::vector<Resolution>*, Choice, Words>;
+using Target = std::variant<double*, std::optional<double>*, int*, std::uint64_t*, bool*, std::string*,
+                            std::optional<std::string>*, glm::dvec2*, std::optional<glm::dvec2>*, glm::ivec2*,
+                            glm::dvec3*, std::optional<glm::ivec3>*, std::vector<double>*, std::vector<std::string>*,
+                            std::vector<Resolution>*, Choice, Words>;
 
 /// "number > 0", "two integers, each in [1, 1048576]", "one of wall, periodic".
 std::string allowed(const Key& key, const Target& target);

@@ -78,6 +78,18 @@ struct Reading {
         return true;
     }
     bool operator()(std::vector<Resolution>* t) const { return store(t, read_resolutions(node)); }
+    bool operator()(std::vector<double>* t) const {
+        const toml::array* list = node.as_array();
+        if (!list || list->empty()) return false;
+        std::vector<double> values;
+        for (const toml::node& element : *list) {
+            const auto one = number_in(key.range, element);
+            if (!one) return false;
+            values.push_back(*one);
+        }
+        *t = values;
+        return true;
+    }
     bool operator()(const Choice& choice) const {
         const auto index = index_in(choice.names, text_of(node, raw));
         if (index) choice.select(static_cast<int>(*index));

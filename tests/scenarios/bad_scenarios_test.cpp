@@ -46,9 +46,9 @@ INSTANTIATE_TEST_SUITE_P(
     Ten, BadScenario,
     ::testing::Values(
         Bad{"UnknownKey",
-            good + "[light]\ncolour = 3\n",
+            good + "[light]\nheight = 3\n",
             {},
-            "FILE:8:10: light.colour: found an unknown key; allowed: "},
+            "FILE:8:10: light.height: found an unknown key; allowed: "},
         Bad{"TypoOfAKey",
             replaced(good, "depth_m", "detph_m"),
             {},

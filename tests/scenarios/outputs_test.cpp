@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "caustics/kernels/water_colour.hpp"
 #include "sim/vti_reader.hpp"
 #include "tests/scenarios/program.hpp"
 
@@ -82,6 +84,78 @@ TEST_F(Outputs, ReportKeepsItsContract) {
     const auto ledger = r["ledger"]["last_frame"];
     EXPECT_LT(ledger["closure"].get<double>(), 1e-4);
     EXPECT_NEAR(ledger["incident_w"].get<double>(), 1000, 1e-2) << "1 m2 of sun overhead";
+}
+
+TEST_F(Outputs, TheLedgerHasARowAFrameAndClosesInEach) {
+    ASSERT_EQ(run({"--set", "caustics.beams.grid=[32,32]", "--set", "water.absorption_per_m=0.3", "--set",
+                   "water.scattering_per_m=0.1"})
+                  .exit,
+              0);
+    std::ifstream file(out_ / "ledger.csv");
+    std::string line;
+    std::getline(file, line);
+    EXPECT_NE(line.find("floor.absorbed_w,floor.scattered_w"), std::string::npos) << line;
+    EXPECT_NE(line.find("beams.absorbed_w,beams.scattered_w"), std::string::npos) << line;
+    int rows = 0;
+    for (; std::getline(file, line); ++rows) {
+        std::vector<double> v;
+        std::istringstream numbers(line);
+        for (std::string number; std::getline(numbers, number, ',');) v.push_back(std::stod(number));
+        ASSERT_EQ(v.size(), 21U);
+        for (const std::size_t first : {1U, 11U}) {
+            // incident + entered = all the others but the closure itself.
+            double out = 0;
+            for (std::size_t k = first + 2; k < first + 9; ++k) out += v[k];
+            EXPECT_NEAR(out, v[first] + v[first + 1], 1e-4 * v[first]);
+            EXPECT_LT(v[first + 9], 1e-4);
+            EXPECT_NEAR(v[first + 3], 3 * v[first + 4], 1e-9 * v[first]) << "absorbed to scattered as 0.3 to 0.1";
+            EXPECT_NEAR(v[first], 1000, 1) << "1 m2 of sun overhead";
+        }
+    }
+    EXPECT_EQ(rows, 6);
+    EXPECT_LE(report()["ledger"]["worst_closure"].get<double>(), 1e-4);
+    EXPECT_LE(report()["beams"]["ledger"]["worst_closure"].get<double>(), 1e-4);
+}
+
+TEST_F(Outputs, InColourEachWavelengthHasItsMapAndTheirSumIsTheMap) {
+    ASSERT_EQ(run({"--set", "light.colour=\"rgb\"", "--set", "light.disc_deg=0.2665"}).exit, 0);
+    const fs::path last = out_ / "floor/floor_000005.vti";
+    const VtiField sum = read_vti(last, "irradiance"), red = read_vti(last, "irradiance_650nm"),
+                   green = read_vti(last, "irradiance_550nm"), blue = read_vti(last, "irradiance_450nm");
+    for (std::size_t i = 0; i < sum.values.size(); ++i)
+        EXPECT_NEAR(sum.values.data()[i], red.values.data()[i] + green.values.data()[i] + blue.values.data()[i], 1e-3);
+    EXPECT_TRUE(fs::exists(out_ / "images/colour_000005.png"));
+    EXPECT_LE(report()["ledger"]["worst_closure"].get<double>(), 1e-4);
+}
+
+TEST_F(Outputs, WallsHaveTheirMapsInPlaceAndTheirAccount) {
+    ASSERT_EQ(run({"--set", "caustics.walls={pixel_m=0.02}", "--set", "light.elevation_deg=40", "--set",
+                   "check=[{quantity=\"walls.west\", above=50.0}, {quantity=\"walls.ledger_closure\", below=1e-6}]"})
+                  .exit,
+              0);
+    const std::string series = read_file(out_ / "walls.pvd");
+    for (const char* wall : {"west", "east", "south", "north"}) {
+        EXPECT_TRUE(fs::exists(out_ / fmt::format("walls/{}_000005.vti", wall))) << wall;
+        EXPECT_TRUE(fs::exists(out_ / fmt::format("images/wall_{}_000005.png", wall))) << wall;
+        EXPECT_NE(series.find(fmt::format("walls/{}_000003.vti", wall)), std::string::npos) << series;
+    }
+    const std::string west = read_file(out_ / "walls/west_000000.vti");
+    EXPECT_NE(west.find("WholeExtent=\"0 0 0 50 0 30\""), std::string::npos) << west.substr(0, 600);
+    EXPECT_LE(report()["walls"]["ledger"]["worst_closure"].get<double>(), 1e-6);
+    EXPECT_NE(read_file(out_ / "ledger.csv").find("walls.walls_w"), std::string::npos);
+}
+
+TEST_F(Outputs, OfOneWavelengthTheMapIsThatOfOneColourBitForBit) {
+    const std::vector<std::string> water{"--set", "water.absorption_by_band_per_m=[0.1]",
+                                         "--set", "water.scattering_by_band_per_m=[0.0]",
+                                         "--set", "light.wavelengths_nm=[550]"};
+    ASSERT_EQ(run(water).exit, 0);
+    const VtiField colour = read_vti(out_ / "floor/floor_000005.vti", "irradiance");
+    const double index = f64::water_index(550, 20, 0);
+    ASSERT_EQ(
+        run({"--set", "water.absorption_per_m=0.1", "--set", fmt::format("water.refractive_index={}", index)}).exit, 0);
+    const VtiField one = read_vti(out_ / "floor/floor_000005.vti", "irradiance");
+    EXPECT_EQ(std::memcmp(one.values.data(), colour.values.data(), one.values.size() * sizeof(float)), 0);
 }
 
 TEST_F(Outputs, LastFrameFallsOnTheEndThoughItIsNoMultiple) {

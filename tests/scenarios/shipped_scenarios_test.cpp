@@ -97,7 +97,19 @@ const std::vector<Shipped> all{{"pool", "2.0"},
                                {"harbour", "1.0"},
                                {"reef", "1.0", OnSoftware::none},
                                {"flashes", "2.0"},
-                               {"mirror", "1.0", OnSoftware::none}};
+                               {"mirror", "1.0", OnSoftware::none},
+                               {"colours", "0.5"},
+                               {"pool_walls", "1.0"}};
+
+/// DESIGN's ledger: in every frame, and of all who follow the light, it closes to 1e-4.
+void expect_ledgers_close(const Shipped& shipped, const nlohmann::json& report) {
+    constexpr double most = 1e-4;
+    const Scenario scenario = read_scenario(path_of(shipped));
+    const auto expect = [&](const nlohmann::json& ledger) { EXPECT_LE(ledger["worst_closure"].get<double>(), most); };
+    if (scenario.floor) expect(report["ledger"]);
+    if (scenario.beams) expect(report["beams"]["ledger"]);
+    if (scenario.walls) expect(report["walls"]["ledger"]);
+}
 
 class ShippedScenario : public ::testing::TestWithParam<Shipped> {
   protected:
@@ -124,6 +136,7 @@ TEST_P(ShippedScenario, MeetsItsChecksOnTheCpu) {
     EXPECT_EQ(fs::exists(out / "out/images/irradiance_000000.png"), has_floor(GetParam()));
     EXPECT_EQ(fs::exists(out / "out/volume.pvd"), has_volume(GetParam()));
     EXPECT_EQ(fs::exists(out / "out/images/radiance_000000.png"), has_camera(GetParam()));
+    expect_ledgers_close(GetParam(), nlohmann::json::parse(read_file(out / "out/report.json")));
 }
 
 TEST_P(ShippedScenario, MeetsItsChecksOnVulkanWithValidationSilent) {
@@ -147,6 +160,7 @@ TEST_P(ShippedScenario, MeetsItsChecksOnVulkanWithValidationSilent) {
     EXPECT_EQ(outcome.exit, 0) << outcome.output;
     const auto report = nlohmann::json::parse(read_file(out / "out/report.json"));
     EXPECT_EQ(report["backend"]["name"], "vulkan");
+    expect_ledgers_close(GetParam(), report);
 }
 
 TEST_P(ShippedScenario, MapsOfBothBackEndsAgree) {

@@ -16,7 +16,7 @@ TEST_P(Rejected, NamesPlaceKeyFoundAndAllowed) { expect_rejection(GetParam()); }
 INSTANTIATE_TEST_SUITE_P(
     Scenario, Rejected,
     ::testing::Values(
-        Bad{"UnknownKey", "[light]\ncolour = 3\n", "pool.toml:6:10: light.colour: found an unknown key",
+        Bad{"UnknownKey", "[light]\nheight = 3\n", "pool.toml:6:10: light.height: found an unknown key",
             "elevation_deg"},
         Bad{"TypoOfAKey", "[waves]\nduratoin_s = 3\n",
             "pool.toml:6:14: waves.duratoin_s:", "did you mean \"duration_s\"?"},
