@@ -65,7 +65,7 @@ TEST(Flashes, UnderATravellingSineThereIsOneAPeriod) {
     const double k = 4 * pi, g = scenario.water.gravity_m_s2;
     const double capillary = scenario.water.surface_tension_n_m / scenario.water.density_kg_m3;
     const double period = 2 * pi / std::sqrt((g * k + capillary * k * k * k) * std::tanh(2 * k));
-    BeamStage stage(scenario, waves);
+    BeamStage stage(scenario, waves, make_beam_renderer_cpu());
     LightSeries series;
     constexpr int frames = 16, periods = 5;
     for (int i = 0; i <= periods * frames; ++i) {
