@@ -35,8 +35,8 @@ void check_models(const Scenario& s) {
     require_model(s, w.spectrum.has_value(), "waves.spectrum", {airy});
     require_model(s, w.buoy.has_value(), "waves.buoy", {airy});
     require_model(s, w.margin_m.has_value(), "waves.margin_m", {linear, airy});
-    require_model(s, !w.sines.empty(), "waves.sine", {linear, airy, prescribed});
-    require_model(s, !w.standing.empty(), "waves.standing", {linear, airy});
+    require_model(s, !w.sines.empty(), "waves.sine", {linear, airy, shallow_water, prescribed});
+    require_model(s, !w.standing.empty(), "waves.standing", {linear, airy, shallow_water});
     require_model(s, !w.sources.empty(), "waves.source", {linear, airy, shallow_water});
     for (std::size_t i = 0; i < w.sines.size(); ++i)
         require_model(s, w.sines[i].frozen, fmt::format("waves.sine[{}].frozen", i), {prescribed});
