@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "scenarios/choose.hpp"
 #include "scenarios/nearest.hpp"
 #include "scenarios/quantities.hpp"
 #include "scenarios/reader.hpp"
@@ -15,10 +16,6 @@
 namespace waterlight {
 
 namespace {
-
-constexpr std::string_view model_names[] = {"auto", "linear", "airy", "shallow-water", "prescribed"};
-
-std::string_view name_of(ModelChoice model) { return model_names[static_cast<int>(model)]; }
 
 constexpr double most_margins = 4;  // beyond which a margin costs more than it absorbs
 

@@ -36,7 +36,7 @@ enum class Footprint { pixel };
 /// The patch of water, [0, size] with the grid's cells.
 struct DomainSection {
     glm::dvec2 size_m{1, 1};
-    glm::ivec2 cells{1, 1};
+    glm::ivec2 cells{0, 0};                 ///< 0: chosen by settle()
     double depth_m = 1;                     ///< of the flat floor, and of the water for light
     std::optional<std::string> bathymetry;  ///< file of the ground, in place of the flat floor
     GroundFile survey;                      ///< how that file is meant; its path is in bathymetry
@@ -67,7 +67,7 @@ struct WavesSection {
 
 struct FloorSection {
     FloorMethod method = FloorMethod::two_pass;
-    glm::ivec2 pixels{1, 1};
+    glm::ivec2 pixels{0, 0};            ///< 0: chosen by settle()
     std::optional<FloorWindow> window;  ///< none: auto
     Footprint footprint = Footprint::pixel;
     double angle_deg = 0;
@@ -78,7 +78,7 @@ struct FloorSection {
 };
 
 struct BeamsSection {
-    glm::ivec2 grid{128, 128};
+    glm::ivec2 grid{0, 0};                   ///< 0: chosen by settle()
     std::optional<glm::dvec2> centre_m;      ///< of the grid, at still water along the sun's rays; none: the domain's
     std::optional<glm::dvec2> size_m;        ///< none: all that lights the domain
     std::optional<glm::ivec3> volume_cells;  ///< none: no fields in the water
@@ -90,7 +90,7 @@ struct CameraSection {
     Camera camera;
     int samples = 1;
     int reduction = 1;
-    std::optional<double> range_m;       ///< none: chosen by beam_image_settings()
+    std::optional<double> range_m;           ///< none: chosen by beam_image_settings()
     std::optional<double> radiance_max;      ///< of the pictures, W/(m2 sr); none: of each frame
     std::optional<double> radiance_decades;  ///< below it that the pictures show, on a logarithmic scale; none: linear
 };
@@ -125,6 +125,19 @@ struct Check {
     double relative_tolerance = 0;  ///< of equals, relative; the larger of both counts
 };
 
+/// What the run is measured by.
+struct AccuracySection {
+    double tolerance = 0.02;  ///< of the waves, a fraction of a wavelength (sim/wave_terms.hpp); of contrasts of light
+    bool strict = false;      ///< refuse what no model meets
+};
+
+/// A wave model and why it was taken.
+struct ModelDecision {
+    ModelChoice model = ModelChoice::airy;  ///< never automatic
+    std::vector<std::string> reasons;
+    std::string warning;  ///< empty where the tolerance is met
+};
+
 struct Scenario {
     std::string title;
     DomainSection domain;
@@ -132,6 +145,7 @@ struct Scenario {
     WaterOptics optics;
     WavesSection waves;
     Sun light;
+    AccuracySection accuracy;
     std::optional<FloorSection> floor;
     std::optional<BeamsSection> beams;
     std::optional<CameraSection> camera;
@@ -139,7 +153,8 @@ struct Scenario {
     std::vector<Probe> probes;
     std::vector<Check> checks;
 
-    Origin origin;  ///< where each key was stated
+    std::optional<ModelDecision> decided;  ///< by settle(), where something was left open
+    Origin origin;                         ///< where each key was stated
 };
 
 }  // namespace waterlight

@@ -35,7 +35,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"UnknownChoice", "[waves]\nmodel = \"arry\"\n", "pool.toml:6:9: waves.model:", "did you mean \"airy\"?"},
         Bad{"UnknownFormat", "[output]\nformats = [\"gif\"]\n",
             "pool.toml:6:11: output.formats:", "list of vti, png, png16, exr"},
-        Bad{"MissingKey", "[caustics.floor]\nangle_deg = 3\n", "pool.toml:5:1: caustics.floor.pixels: found nothing",
+        Bad{"MissingKey", "[[waves.sine]]\namplitude_m = 0.1\n", "pool.toml:5:1: waves.sine[0].wavelength_m: found nothing",
             "required"},
         Bad{"MissingType", "[[waves.source]]\nat_m = [1, 1]\n",
             "pool.toml:5:1: waves.source[0].type:", "drop, rain, wavemaker"},

@@ -1,0 +1,24 @@
+// What the parts of a run cost in time: the one table, measured (docs/auto.md says with what command). Another machine
+// is faster or slower by much the same factor in all of them, so that choices between models hold where seconds do not.
+#pragma once
+
+namespace waterlight::costs {
+
+// Two threads of an Intel Xeon (Sapphire Rapids), CPU back-end; seconds.
+constexpr double linear_cell_step = 0.25e-9;
+constexpr double linear_step = 3e-6;
+constexpr double shallow_cell_step = 5.5e-9;
+constexpr double shallow_step = 15e-6;
+constexpr double airy_cell_frame = 7e-9;
+constexpr double airy_frame = 30e-6;
+constexpr double surface_cell_frame = 1.5e-9;  // of linear and shallow-water: elevation and slopes for the light
+constexpr double prescribed_cell_wave_frame = 2e-9;
+
+constexpr double floor_pixel_frame = 5e-9;  // two-pass
+constexpr double truth_pixel_frame = 2e-6;  // converged to 1e-3
+constexpr double beam_frame = 0.1e-6;       // each of two a cell, made anew
+constexpr double beam_slice_frame = 40e-9;  // each beam in each layer of volume_cells
+constexpr double file_cell_frame =
+    10e-9;  // a cell or a pixel of a field and its picture, written by a thread of its own
+
+}  // namespace waterlight::costs
