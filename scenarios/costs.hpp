@@ -4,14 +4,15 @@
 
 namespace waterlight::costs {
 
-// Two threads of an Intel Xeon (Sapphire Rapids), CPU back-end; seconds.
-constexpr double linear_cell_step = 0.25e-9;
-constexpr double linear_step = 3e-6;
-constexpr double shallow_cell_step = 5.5e-9;
-constexpr double shallow_step = 15e-6;
-constexpr double airy_cell_frame = 7e-9;
-constexpr double airy_frame = 30e-6;
-constexpr double surface_cell_frame = 1.5e-9;  // of linear and shallow-water: elevation and slopes for the light
+// One thread of an Intel Xeon (Sapphire Rapids), CPU back-end, 50 to 500 cells along a side; seconds.
+constexpr double linear_frame = 6e-6;
+constexpr double linear_step = 4e-6;
+constexpr double linear_cell_step = 0.6e-9;
+constexpr double shallow_step = 2e-6;
+constexpr double shallow_cell_step = 24e-9;
+constexpr double airy_frame = 8e-6;
+constexpr double airy_cell_frame = 12e-9;
+constexpr double surface_cell_frame = 1e-9;  // of linear and shallow-water: elevation and slopes for the light
 constexpr double prescribed_cell_wave_frame = 2e-9;
 
 constexpr double floor_pixel_frame = 5e-9;  // two-pass

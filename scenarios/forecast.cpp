@@ -40,9 +40,12 @@ double cfl_of(const Scenario& s, ModelChoice model) {
     return s.waves.cfl.value_or(model == ModelChoice::linear ? 0.9 : 0.8);
 }
 
-/// Of fronts and shores that a shallow-water run starts from or makes of its own, measured (docs/auto.md).
+/// Of the fronts, shores and vortices that a shallow-water run starts from.
 double feature_error(const SceneSpectrum& scene, double dx) {
-    return scene.feature_m > 0 ? std::min(0.05 * std::sqrt(dx / scene.feature_m), largest_shift) : 0;
+    double sum = 0;
+    for (const Feature& feature : scene.features)
+        sum = std::hypot(sum, feature.factor * std::pow(dx / feature.length_m, feature.order));
+    return std::min(sum, largest_shift);
 }
 
 double grid_error(const Scenario& s, const SceneSpectrum& scene, ModelChoice model, double dx) {
@@ -118,11 +121,14 @@ void add_cost(const Scenario& s, const SceneSpectrum& scene, Forecast& f) {
         const double c = std::sqrt(g * (s.domain.depth_m + amplitude)), u = amplitude * g / c;
         f.step_s = cfl_of(s, f.model) / ((c + u) / dx + c / dy);
     }
-    f.steps = f.step_s > 0 ? std::max(frames, std::ceil(duration / f.step_s)) : frames;
+    // Frames of the model linear may end between two steps, those of shallow-water take one at least.
+    f.steps = f.step_s > 0 ? std::ceil(duration / f.step_s) : frames;
+    if (f.model == ModelChoice::shallow_water) f.steps = std::max(f.steps, frames - 1);
     using namespace costs;
     switch (f.model) {
         case ModelChoice::linear:
-            f.seconds = f.steps * (linear_step + n * linear_cell_step) + frames * n * surface_cell_frame;
+            f.seconds =
+                f.steps * (linear_step + n * linear_cell_step) + frames * (linear_frame + n * surface_cell_frame);
             break;
         case ModelChoice::shallow_water:
             f.seconds = f.steps * (shallow_step + n * shallow_cell_step) + frames * n * surface_cell_frame;

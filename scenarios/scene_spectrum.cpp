@@ -148,41 +148,47 @@ class Gatherer {
         if (signal.solitary_height_m) add_solitary(*signal.solitary_height_m, s_.water.depth_m);
     }
 
-    /// A sine of the same mean wave number and of the same steepest slope.
+    /// Bins of the transform of sech^2, k / sinh(pi k / (2 kappa)). Their amplitudes are those of sines as steep as the
+    /// wave is where it is steepest, so that all of them steepen as it does.
     void add_solitary(double height, double depth) {
         const double kappa = std::sqrt(0.75 * height / (depth * depth * depth));
-        add(std::sqrt(0.8) * kappa, 0.86 * height, duration_);
+        const double steepest = 0.77 * kappa * height;
+        constexpr double first = 0.25, last = 4, ratio = 1.189207115;
+        for (double q = first; q < last; q *= ratio) {
+            const double k = q * kappa, transform = q / std::sinh(0.5 * pi * q);
+            add(k, steepest / k, duration_);
+            result_.waves.back().variance_m2 = height * height * transform * transform * q * std::log(ratio);
+        }
+        result_.bores = true;
     }
     void add_jump(double jump, double length) {
-        result_.bores = true;
         result_.jump_m = std::max(result_.jump_m, std::abs(jump));
-        feature(length);
+        add_feature(bore_over(length));
         add(pi / length, 0.5 * std::abs(jump), duration_);
     }
-    void feature(double length) {
+    void add_feature(const Feature& feature) {
         result_.bores = true;
-        result_.feature_m = result_.feature_m > 0 ? std::min(result_.feature_m, length) : length;
+        result_.features.push_back(feature);
     }
+    double longer_side() const { return std::max(s_.domain.size_m.x, s_.domain.size_m.y); }
     void add_state(const StillWater&) { result_.bores = true; }
-    void add_state(const PlaneDam& dam) {
-        add_jump(dam.behind_level_m - dam.ahead_level_m, std::max(s_.domain.size_m.x, s_.domain.size_m.y));
-    }
+    void add_state(const PlaneDam& dam) { add_jump(dam.behind_level_m - dam.ahead_level_m, longer_side()); }
     void add_state(const CircularDam& dam) { add_jump(dam.inside_level_m - dam.outside_level_m, 2 * dam.radius_m); }
-    void add_state(const SolitaryWave& wave) {
-        result_.bores = true;
-        add_solitary(wave.height_m, wave.depth_m);
-    }
+    void add_state(const SolitaryWave& wave) { add_solitary(wave.height_m, wave.depth_m); }
     void add_state(const ExactStart& exact) {
         std::visit([this](const auto& state) { add_exact(state); }, exact.state);
     }
-    void add_exact(const ThackerPlanar& state) { feature(state.a_m); }
-    void add_exact(const ThackerRadial& state) { feature(state.a_m); }
-    void add_exact(const TravellingVortex&) { feature(1); }
-    void add_exact(const SteadyBump& state) { feature(std::sqrt(state.height_m / state.curvature_per_m)); }
-    void add_exact(const ObliqueJump&) { feature(s_.domain.size_m.x); }
+    void add_exact(const ThackerPlanar& state) { add_feature(shore_over(state.a_m)); }
+    void add_exact(const ThackerRadial& state) { add_feature(shore_over(state.a_m)); }
+    void add_exact(const TravellingVortex&) { add_feature(vortex_over(1)); }
+    void add_exact(const SteadyBump& state) {
+        add_feature(shore_over(std::sqrt(state.height_m / state.curvature_per_m)));
+    }
+    void add_exact(const ObliqueJump&) { add_feature(bore_over(longer_side())); }
     void add_exact(const RiemannProblem& dam) {
         result_.jump_m = std::abs(dam.left_depth_m - dam.right_depth_m);
-        feature(std::max(s_.domain.size_m.x, s_.domain.size_m.y));
+        const bool dry = std::min(dam.left_depth_m, dam.right_depth_m) <= 0;
+        add_feature(dry ? dry_front_over(longer_side()) : bore_over(longer_side()));
     }
 
     const Scenario& s_;
