@@ -76,7 +76,8 @@ double shallow_error(const WaveTrain& wave, const Water& water) {
     double sum = 0;
     for (int m = 1; m <= harmonics; ++m) {
         const double misplaced = m * wave.wavelengths * long_wave_excess(m * wave.wave_number, water);
-        const double error = steepened_harmonic(m, sigma) * shift_error(misplaced);
+        // What a sawtooth loses of its first harmonic is lost by the model alone, where dispersion counts.
+        const double error = (m == 1 ? 1 : steepened_harmonic(m, sigma)) * shift_error(misplaced);
         sum += error * error;
     }
     return std::min(std::sqrt(sum), largest_shift);
