@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 
 #include "scenarios/costs.hpp"
@@ -94,6 +95,18 @@ int smooth_count(int n) {
     }
 }
 
+/// The largest cell on which every stated wave can be told: the models refuse two cells a wave and fewer.
+double cell_of_waves(const Scenario& s) {
+    constexpr double cells_a_wave = 2.5;
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const Sine& sine : s.waves.sines) shortest = std::min(shortest, sine.wavelength_m);
+    for (const StandingWave& wave : s.waves.standing) {
+        if (wave.half_waves_x > 0) shortest = std::min(shortest, 2 * s.domain.size_m.x / wave.half_waves_x);
+        if (wave.half_waves_y > 0) shortest = std::min(shortest, 2 * s.domain.size_m.y / wave.half_waves_y);
+    }
+    return shortest / cells_a_wave;
+}
+
 glm::ivec2 cells_of(glm::dvec2 size_m, double cell_m) {
     const auto along = [cell_m](double length) {
         const double n = std::ceil(length / cell_m - 1e-9);
@@ -180,7 +193,8 @@ Forecast forecast(const Scenario& scenario, const SceneSpectrum& scene, ModelCho
         const double left = std::sqrt(std::max(needs.tolerance * needs.tolerance - f.model_error * f.model_error, 0.0));
         constexpr double kept = 0.9;  // of what is left, for the grid
         const double target = kept * std::max(left, 0.5 * needs.tolerance);
-        f.cells = cells_of(size, std::min(largest_cell(error, target, std::max(size.x, size.y)), needs.light_cell_m));
+        const double cell = largest_cell(error, target, std::max(size.x, size.y));
+        f.cells = cells_of(size, std::min({cell, needs.light_cell_m, cell_of_waves(scenario)}));
     }
     // Where the scenario has cells that are not square, its waves run along the fine ones.
     f.grid_error = error(std::min(size.x / f.cells.x, size.y / f.cells.y));
