@@ -12,6 +12,7 @@
 
 #include "app/check.hpp"
 #include "app/devices.hpp"
+#include "app/explain.hpp"
 #include "app/run.hpp"
 #include "app/version.hpp"
 #include "gpu/error.hpp"
@@ -56,6 +57,19 @@ void add_run(CLI::App& program, Arguments& args) {
     run->add_flag("--validate", args.run.device.validation,
                   "Vulkan with its validation layer; a message of it fails the run");
     run->add_flag("--quiet", args.run.quiet, "Say nothing but errors and failed checks");
+}
+
+void add_explain(CLI::App& program, Arguments& args) {
+    CLI::App* explain =
+        program.add_subcommand("explain", "Say what a scene needs: model, grid, time step, light, cost");
+    explain->footer("Example:\n  waterlight explain scenarios/pool.toml --set waves.model=auto");
+    explain->add_option("scenario", args.run.scenario, "Scenario file (.toml)")->required()->type_name("SCENARIO");
+    explain->add_option("--set", args.run.overrides, "Another value for a key of the scenario; may be repeated")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->allow_extra_args(false)
+        ->take_all()
+        ->delimiter('\0');
 }
 
 void add_check(CLI::App& program, Arguments& args) {
@@ -114,6 +128,10 @@ int execute(const CLI::App& program, Arguments& args) {
         constexpr ExitCode exits[] = {done, check_failed, wrong_input, world_failed};
         return exits[static_cast<int>(run_checks(args.check))];
     }
+    if (program.got_subcommand("explain")) {
+        fmt::print("{}", explain_scenario(args.run.scenario, args.run.overrides));
+        return done;
+    }
     if (args.threads > 0) omp_set_num_threads(args.threads);
     return run_scenario(args.run) ? done : check_failed;
 }
@@ -128,6 +146,7 @@ int parse_and_execute(int argc, char** argv) {
     program.require_subcommand(1);
     args.check.program = argv[0];
     add_run(program, args);
+    add_explain(program, args);
     add_check(program, args);
     add_schema(program, args);
     program.add_subcommand("devices", "List the devices that can compute, and why one is chosen")

@@ -171,7 +171,7 @@ Json checks_json(const std::vector<CheckResult>& checks) {
 
 nlohmann::ordered_json report_json(const Scenario& scenario, const BackendDecision& backend, const RunRecord& record,
                                    const std::vector<CheckResult>& checks) {
-    const std::vector<std::string> reasons = resolve_model(scenario).reasons;
+    const ModelDecision decision = resolve_model(scenario);
     Json json;
     json["version"] = version;
     json["scenario"] = {{"file", scenario.origin.file.string()},
@@ -181,7 +181,8 @@ nlohmann::ordered_json report_json(const Scenario& scenario, const BackendDecisi
                         {"hash", hash_of(scenario.origin)}};
     json["device"] = {{"name", backend.device}, {"threads", omp_get_max_threads()}};
     json["backend"] = {{"name", backend.backend == Backend::vulkan ? "vulkan" : "cpu"}, {"reason", backend.reason}};
-    json["model"] = {{"name", record.waves.model}, {"reasons", reasons}};
+    json["model"] = {{"name", record.waves.model}, {"reasons", decision.reasons}};
+    if (!decision.warning.empty()) json["model"]["warning"] = decision.warning;
     json["frames"] = record.frames;
     json["steps"] = record.waves.steps;
     json["simulated_s"] = record.simulated_s;

@@ -348,6 +348,8 @@ class Run {
 
 bool run_scenario(const RunOptions& options) {
     const Scenario scenario = read_scenario(options.scenario, options.overrides);
+    if (scenario.decided && !scenario.decided->warning.empty())
+        fmt::print(stderr, "waterlight: {}\n", scenario.decided->warning);
     const fs::path out = options.out.empty() ? fs::path("out") / options.scenario.stem() : options.out;
     return Run(options, out, scenario).go();
 }

@@ -5,6 +5,7 @@
 
 #include "scenarios/resolve.hpp"
 #include "sim/shallow_means.hpp"
+#include "sim/shallow_waves.hpp"
 
 namespace waterlight {
 
@@ -148,6 +149,7 @@ ShallowWaterSettings shallow_settings(const Scenario& s) {
     }
     settings.bed_m = stated_ground(s);
     set_initial(s.waves.initial, settings);
+    add_waves(s.waves.sines, s.waves.standing, settings);
     return settings;
 }
 

@@ -7,16 +7,13 @@
 #include <cmath>
 #include <set>
 
+#include "scenarios/choose.hpp"
 #include "scenarios/reader.hpp"
 #include "scenarios/resolve.hpp"
 
 namespace waterlight {
 
 namespace {
-
-constexpr std::string_view model_names[] = {"auto", "linear", "airy", "shallow-water", "prescribed"};
-
-std::string_view name_of(ModelChoice model) { return model_names[static_cast<int>(model)]; }
 
 constexpr double most_margins = 4;  // beyond which a margin costs more than it absorbs
 
@@ -33,8 +30,8 @@ void check_models(const Scenario& s) {
     require_model(s, w.spectrum.has_value(), "waves.spectrum", {airy});
     require_model(s, w.buoy.has_value(), "waves.buoy", {airy});
     require_model(s, w.margin_m.has_value(), "waves.margin_m", {linear, airy});
-    require_model(s, !w.sines.empty(), "waves.sine", {linear, airy, prescribed});
-    require_model(s, !w.standing.empty(), "waves.standing", {linear, airy});
+    require_model(s, !w.sines.empty(), "waves.sine", {linear, airy, shallow_water, prescribed});
+    require_model(s, !w.standing.empty(), "waves.standing", {linear, airy, shallow_water});
     require_model(s, !w.sources.empty(), "waves.source", {linear, airy, shallow_water});
     for (std::size_t i = 0; i < w.sines.size(); ++i)
         require_model(s, w.sines[i].frozen, fmt::format("waves.sine[{}].frozen", i), {prescribed});

@@ -103,6 +103,9 @@ void check_initial(const Scenario& s) {
         if (s.domain.bathymetry || !s.domain.ground.empty())
             s.origin.reject(s.domain.bathymetry ? "domain.bathymetry" : "domain.ground",
                             "it beside an exact waves.initial, which has a ground of its own", "one of both");
+        if (!s.waves.sines.empty() || !s.waves.standing.empty())
+            s.origin.reject(s.waves.sines.empty() ? "waves.standing" : "waves.sine", "it beside an exact waves.initial",
+                            "one of both");
     }
 }
 

@@ -57,7 +57,9 @@ std::string allowed(const Key& key, const Target& target) {
                    [](bool*) { return std::string("true or false"); }, [&](std::string* t) { return text(t); },
                    [&](std::optional<std::string>* t) { return text(t); }, [&](glm::dvec2* t) { return numbers(t); },
                    [&](std::optional<glm::dvec2>* t) { return numbers(t); },
-                   [&](glm::ivec2*) { return with_range("two integers, each", key.range); },
+                   [&](glm::ivec2*) {
+                       return with_range("two integers, each", key.range) + (key.otherwise == "auto" ? " or auto" : "");
+                   },
                    [](glm::dvec3*) { return std::string("three numbers"); },
                    [&](std::optional<glm::ivec3>*) { return with_range("three integers, each", key.range); },
                    [](std::vector<std::string>*) { return std::string("list of texts"); },

@@ -5,8 +5,10 @@
 #include <fstream>
 #include <sstream>
 
+#include "scenarios/choose.hpp"
 #include "scenarios/document.hpp"
 #include "scenarios/memory.hpp"
+#include "scenarios/resolve.hpp"
 #include "scenarios/table_reader.hpp"
 
 namespace waterlight {
@@ -55,6 +57,23 @@ void fill_depths(Scenario& scenario) {
     }
 }
 
+/// Where the model is open, with one that can carry all keys, or that which its keys hint at.
+Scenario possible(const Scenario& scenario) {
+    if (scenario.waves.model != ModelChoice::automatic) return scenario;
+    Scenario tried = scenario;
+    using enum ModelChoice;
+    for (const ModelChoice model : {resolve_model(scenario).model, airy, shallow_water, linear}) {
+        tried.waves.model = model;
+        try {
+            check_combinations(tried);
+            return tried;
+        } catch (const InputError&) {
+            continue;
+        }
+    }
+    return scenario;
+}
+
 }  // namespace
 
 Scenario parse_scenario(std::string_view text, const std::filesystem::path& file,
@@ -79,11 +98,20 @@ Scenario parse_scenario(std::string_view text, const std::filesystem::path& file
     return scenario;
 }
 
-Scenario read_scenario(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+Scenario read_open_scenario(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
     Scenario scenario = parse_scenario(read_text(file), file, overrides);
+    check_combinations(possible(scenario));
+    if (!is_open(scenario)) check_memory(scenario, machine_memory());
+    find_data(scenario);
+    return scenario;
+}
+
+Scenario read_scenario(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+    Scenario scenario = read_open_scenario(file, overrides);
+    if (!is_open(scenario)) return scenario;
+    settle(scenario, choose(scenario));
     check_combinations(scenario);
     check_memory(scenario, machine_memory());
-    find_data(scenario);
     return scenario;
 }
 

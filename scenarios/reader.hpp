@@ -13,10 +13,15 @@ namespace waterlight {
 
 /// The scenario in `file` with the overrides ("key=value") laid over it, checked: every key and value, the combination
 /// of all, the data files it names (their paths then hold where they were found), and that it fits this machine's
-/// memory. Throws InputError with one line: FILE:LINE:COL (or --set KEY=VALUE): KEY: found X; allowed: Y.
+/// memory. What it leaves open is chosen (scenarios/choose.hpp). Throws InputError with one line: FILE:LINE:COL (or
+/// --set KEY=VALUE): KEY: found X; allowed: Y.
 Scenario read_scenario(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
-/// As read_scenario() from a text; `file` names it in errors. Keys and values only: no combinations, files or memory.
+/// The same before anything is chosen: is_open() where it leaves something to settle().
+Scenario read_open_scenario(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+/// As read_open_scenario() from a text; `file` names it in errors. Keys and values only: no combinations, files or
+/// memory.
 Scenario parse_scenario(std::string_view text, const std::filesystem::path& file,
                         const std::vector<std::string>& overrides = {});
 

@@ -8,7 +8,16 @@ namespace waterlight {
 
 namespace {
 
-bool states_a_formula(const WavesSection& waves) { return waves.slope || waves.file || waves.gerstner; }
+bool states_a_formula(const WavesSection& waves) {
+    const auto frozen = [](const Sine& sine) { return sine.frozen; };
+    return waves.slope || waves.file || waves.gerstner || std::any_of(waves.sines.begin(), waves.sines.end(), frozen);
+}
+
+bool is_of_shallow_water(const Scenario& s) {
+    const WavesSection& w = s.waves;
+    return !w.initial.empty() || !w.inflows.empty() || w.manning || w.wet_m || s.domain.bathymetry ||
+           !s.domain.ground.empty();
+}
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -23,12 +32,16 @@ struct Silence {
 
 ModelDecision resolve_model(const Scenario& scenario) {
     const ModelChoice stated = scenario.waves.model;
-    if (stated != ModelChoice::automatic) return {stated, {"stated in the scenario"}};
+    if (scenario.decided && scenario.decided->model == stated) return *scenario.decided;
+    if (stated != ModelChoice::automatic) return {stated, {"stated in the scenario"}, {}};
     if (states_a_formula(scenario.waves))
-        return {ModelChoice::prescribed, {"auto: the scenario gives the surface by a formula or a file"}};
+        return {ModelChoice::prescribed, {"auto: the scenario gives the surface by a formula or a file"}, {}};
+    if (is_of_shallow_water(scenario))
+        return {ModelChoice::shallow_water, {"auto: the scenario has ground, flow or jumps"}, {}};
     return {ModelChoice::airy,
             {"auto: caustics are focused by short waves, whose speed depends on their length",
-             "airy is exact in time over a flat floor for waves of any length"}};
+             "airy is exact in time over a flat floor for waves of any length"},
+            {}};
 }
 
 SideChoices resolve_sides(const Scenario& scenario) {

@@ -11,12 +11,8 @@
 
 namespace waterlight {
 
-/// A wave model and why it was taken.
-struct ModelDecision {
-    ModelChoice model = ModelChoice::airy;  ///< never automatic
-    std::vector<std::string> reasons;
-};
-
+/// As settle() decided or the scenario states. Where neither has been, the model that its keys leave: prescribed,
+/// shallow-water or else airy, by which they can be checked.
 ModelDecision resolve_model(const Scenario& scenario);
 /// The sides as stated, each by itself before its axis; those left open are periodic for the model prescribed and for a
 /// spectrum or a buoy, else walls.

@@ -35,7 +35,7 @@ enum class FloorMethod { two_pass, truth };
 /// The patch of water, [0, size] with the grid's cells.
 struct DomainSection {
     glm::dvec2 size_m{1, 1};
-    glm::ivec2 cells{1, 1};
+    glm::ivec2 cells{0, 0};                 ///< 0: chosen by settle()
     double depth_m = 1;                     ///< of the flat floor, and of the water for light
     std::optional<std::string> bathymetry;  ///< file of the ground, in place of the flat floor
     GroundFile survey;                      ///< how that file is meant; its path is in bathymetry
@@ -66,7 +66,7 @@ struct WavesSection {
 
 struct FloorSection {
     FloorMethod method = FloorMethod::two_pass;
-    glm::ivec2 pixels{1, 1};
+    glm::ivec2 pixels{0, 0};            ///< 0: chosen by settle()
     std::optional<FloorWindow> window;  ///< none: auto
     Footprint footprint = Footprint::adaptive;
     int samples_per_pixel = 1;  ///< along each axis
@@ -87,7 +87,7 @@ struct ReflectedSection {
 };
 
 struct BeamsSection {
-    glm::ivec2 grid{128, 128};
+    glm::ivec2 grid{0, 0};                   ///< 0: chosen by settle()
     std::optional<glm::dvec2> centre_m;      ///< of the grid, at still water along the sun's rays; none: the domain's
     std::optional<glm::dvec2> size_m;        ///< none: all that lights the domain
     std::optional<glm::ivec3> volume_cells;  ///< none: no fields in the water
@@ -125,6 +125,19 @@ struct Probe {
     std::optional<double> depth_m;  ///< of the irradiance below still water; none: on the floor
 };
 
+/// What the run is measured by.
+struct AccuracySection {
+    double tolerance = 0.02;  ///< of the waves, a fraction of a wavelength (sim/wave_terms.hpp); of contrasts of light
+    bool strict = false;      ///< refuse what no model meets
+};
+
+/// A wave model and why it was taken.
+struct ModelDecision {
+    ModelChoice model = ModelChoice::airy;  ///< never automatic
+    std::vector<std::string> reasons;
+    std::string warning;  ///< empty where the tolerance is met
+};
+
 struct Scenario {
     std::string title;
     DomainSection domain;
@@ -134,6 +147,7 @@ struct Scenario {
     WavesSection waves;
     Sun light;
     SunSection sun;
+    AccuracySection accuracy;
     std::optional<FloorSection> floor;
     std::optional<BeamsSection> beams;
     std::optional<WallsSection> walls;
@@ -143,7 +157,8 @@ struct Scenario {
     std::vector<Check> checks;
     CheckRunSection check_run;
 
-    Origin origin;  ///< where each key was stated
+    std::optional<ModelDecision> decided;  ///< by settle(), where something was left open
+    Origin origin;                         ///< where each key was stated
 };
 
 }  // namespace waterlight

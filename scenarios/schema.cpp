@@ -2,6 +2,7 @@
 #include "scenarios/schema.hpp"
 
 #include "scenarios/scenario.hpp"
+#include "scenarios/schema_accuracy.hpp"
 #include "scenarios/schema_beams.hpp"
 #include "scenarios/schema_check.hpp"
 #include "scenarios/schema_light.hpp"
@@ -20,7 +21,7 @@ constexpr Range window_sizes{.low = 1, .high = 9999};
 
 void describe_domain(Visitor& v, DomainSection& s) {
     v.value({"size_m", "m", "Width and height of the patch of water.", positive, true}, &s.size_m);
-    v.value({"cells", "", "Cells of the wave model along x and y.", cell_counts, true}, &s.cells);
+    v.value({"cells", "", "Cells of the wave model along x and y.", cell_counts, false, "auto"}, &s.cells);
     v.value(
         {"depth_m", "m", "Depth of the still water above the flat floor, where the map of light lies.", positive, true},
         &s.depth_m);
@@ -117,7 +118,10 @@ void describe_wavemaker(Visitor& v, Wavemaker& s) {
 }
 
 void describe_waves(Visitor& v, WavesSection& s) {
-    v.value({"model", "", "Wave model; auto takes prescribed where slope, file or gerstner is stated, else airy."},
+    v.value({"model", "",
+             "Wave model; auto takes prescribed where slope, file, gerstner or a frozen sine is stated, else the "
+             "cheapest that "
+             "meets accuracy.tolerance (`waterlight explain` says why)."},
             choice(s.model, {"auto", "linear", "airy", "shallow-water", "prescribed"}));
     v.section(sides_key, [&s](Visitor& in) { describe_sides(in, s); });
     v.value({"duration_s", "s", "Time to simulate; 0 gives one frame.", not_negative}, &s.duration_s);
@@ -185,7 +189,7 @@ void describe_window(Visitor& v, FloorWindow& s) {
 void describe_floor(Visitor& v, FloorSection& s) {
     v.value({"method", "", "two-pass: fast, float; truth: converged, double precision, slow."},
             choice(s.method, {"two-pass", "truth"}));
-    v.value({"pixels", "", "Pixels of the map along its x and y.", pixel_counts, true}, &s.pixels);
+    v.value({"pixels", "", "Pixels of the map along its x and y.", pixel_counts, false, "auto"}, &s.pixels);
     v.optional_section(
         {.name = "window",
          .meaning = "How far light is followed from its rest position; auto is the least that loses none.",
@@ -262,6 +266,7 @@ void describe(Visitor& v, Scenario& s) {
     });
     v.optional_section({"camera", "", "A picture of the light that the water scatters; needs caustics.beams."},
                        into(s.camera, describe_camera));
+    v.section({"accuracy", "", "How wrong the run may be."}, [&s](Visitor& in) { describe_accuracy(in, s.accuracy); });
     v.section({"output", "", "What is written."}, [&s](Visitor& in) { describe_output(in, s.output); });
     v.list({"probe", "", "A gauge: elevation, and irradiance below it."},
            {{"", "", append<Probe>(s.probes, describe_probe)}});

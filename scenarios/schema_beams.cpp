@@ -70,7 +70,8 @@ void describe_optics(Visitor& v, WaterOptics& o) {
 }
 
 void describe_beams(Visitor& v, BeamsSection& s) {
-    v.value({"grid", "", "Cells of the grid projected from the sun, each of two beams.", counts}, &s.grid);
+    v.value({"grid", "", "Cells of the grid projected from the sun, each of two beams.", counts, false, "auto"},
+            &s.grid);
     v.value({"centre_m", "m", "Centre of the grid on still water; with size_m.", {}, false, "the domain's"},
             &s.centre_m);
     v.value({"size_m", "m", "Size of the grid on still water.", positive, false, "all that lights the domain"},

@@ -71,6 +71,7 @@ void TableReader::value(const Key& key, Target target) {
         if (key.required) missing_.push_back({path, allowed(key, target)});
         return;
     }
+    if (key.otherwise == "auto" && node->value<std::string_view>() == key.otherwise) return;
     const Override* override = context_.override_of(path);
     const std::string* raw = override && override->key == path ? &override->raw : nullptr;
     if (const auto wrong = read_value(key, target, *node, raw)) {

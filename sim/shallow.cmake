@@ -7,7 +7,8 @@ target_sources(waterlight_sim PRIVATE
     shallow_sides.cpp
     shallow_surface.cpp
     shallow_sweep.cpp
-    shallow_water.cpp)
+    shallow_water.cpp
+    shallow_waves.cpp)
 
 # The loops of a stage compute far more than they load: the widest vectors pay (measured with AVX-512: a fifth).
 include(CheckCXXCompilerFlag)

@@ -13,5 +13,6 @@ target_sources(waterlight_sim PRIVATE
     runup.cpp
     sources.cpp
     sponge.cpp
-    surface_sums.cpp)
+    surface_sums.cpp
+    wave_terms.cpp)
 target_link_libraries(waterlight_sim PRIVATE PkgConfig::FFTW3 waterlight_sim_files)

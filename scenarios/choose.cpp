@@ -1,0 +1,218 @@
+#include "scenarios/choose.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "caustics/demand.hpp"
+#include "scenarios/costs.hpp"
+#include "scenarios/reader.hpp"
+#include "scenarios/resolve.hpp"
+
+namespace waterlight {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double samples_a_wave = 8;  // cells and pixels of the shortest wave that the light shows
+
+/// The key at which an error of the reader points.
+std::string key_in(std::string_view message) {
+    const std::size_t end = message.find(": found ");
+    if (end == std::string_view::npos) return std::string(message);
+    const std::size_t begin = message.rfind(": ", end - 1);
+    return std::string(message.substr(begin + 2, end - begin - 2));
+}
+
+/// The key that the model cannot carry; empty where there is none.
+std::string refusal(const Scenario& scenario, ModelChoice model) {
+    Scenario tried = scenario;
+    tried.waves.model = model;
+    try {
+        check_combinations(tried);
+        return {};
+    } catch (const InputError& error) {
+        return key_in(error.what());
+    }
+}
+
+LightDemand light_demand(const Scenario& s, const SceneSpectrum& scene) {
+    LightDemand light;
+    const double n = s.optics.refractive_index, depth = s.domain.depth_m;
+    light.focus_m = std::numeric_limits<double>::infinity();
+    if (!s.floor && !s.beams) return light;
+    for (const SceneWave& wave : scene.waves) {
+        const double k = wave.train.wave_number, a = wave.train.amplitude_m;
+        const double contrast = caustic_contrast(k, a, depth, n);
+        if (contrast > light.contrast) {
+            light.contrast = contrast;
+            light.strongest_m = 2 * pi / k;
+            light.focus_m = focus_depth(k, a, n);
+        }
+        const bool shorter = light.shortest_m == 0 || 2 * pi / k < light.shortest_m;
+        if (contrast > s.accuracy.tolerance && shorter) light.shortest_m = 2 * pi / k;
+    }
+    constexpr double steepest = 3;  // of a random slope, over its root mean square
+    light.reach_m = landing_distance(steepest * scene.rms_slope(), depth, scene.amplitude_m(), n);
+    return light;
+}
+
+/// Errors of the footprints, as measured on a sine before and past its focus (docs/performance.md): the pixel-wide
+/// one's at any resolution, the adaptive one's times the samples that the strongest wave is given.
+void judge_footprints(const Scenario& s, glm::dvec2 pitch, LightDemand& light) {
+    if (!(light.contrast > 0)) return;
+    const bool past_focus = s.domain.depth_m > light.focus_m;
+    const double strength = std::min(light.contrast, 1.0);
+    const double samples = light.strongest_m / std::max(pitch.x, pitch.y) * s.floor->samples_per_pixel;
+    light.pixel_error = (past_focus ? 0.3 : 0.08) * strength;
+    const double adaptive = (past_focus ? 0.35 : 0.085) * strength / samples;
+    light.footprint_error = s.floor->footprint == Footprint::pixel ? light.pixel_error : adaptive;
+}
+
+/// Pixels, beams and what they cost, once the surface's cells are known.
+void size_light(const Scenario& s, LightDemand& light) {
+    const double frames = moments_of_run(s);
+    const auto counts = [&](glm::dvec2 size, glm::ivec2 stated) {
+        if (stated.x > 0) return stated;
+        const double pitch = light.shortest_m > 0 ? light.shortest_m / samples_a_wave : std::max(size.x, size.y) / 64;
+        const glm::dvec2 n = glm::clamp(glm::ceil(size / pitch), glm::dvec2(16), glm::dvec2(8192));
+        return glm::ivec2(n);
+    };
+    if (s.floor) {
+        const glm::dvec2 size = s.floor->size_m.value_or(s.domain.size_m);
+        light.pixels = counts(size, s.floor->pixels);
+        const glm::dvec2 pitch = size / glm::dvec2(light.pixels);
+        light.window = 2 * glm::ivec2(glm::ceil(glm::dvec2(light.reach_m) / pitch)) + 1;
+        const bool truth = s.floor->method == FloorMethod::truth;
+        judge_footprints(s, pitch, light);
+        if (truth) light.footprint_error = s.floor->tolerance;
+        const double samples = static_cast<double>(light.pixels.x) * light.pixels.y * s.floor->samples_per_pixel *
+                               s.floor->samples_per_pixel;
+        const bool wide = s.floor->footprint == Footprint::pixel;
+        light.seconds += frames * samples *
+                         (truth  ? costs::truth_pixel_frame
+                          : wide ? costs::floor_pixel_frame
+                                 : costs::floor_parallelogram_frame);
+    }
+    if (!s.beams) return;
+    light.beams = counts(s.beams->size_m.value_or(s.domain.size_m), s.beams->grid);
+    const double beams = 2.0 * light.beams.x * light.beams.y;
+    const double slices = s.beams->volume_cells ? s.beams->volume_cells->z : 0;
+    light.seconds += frames * beams * (costs::beam_frame + slices * costs::beam_slice_frame);
+}
+
+bool better(const Forecast& a, const Forecast& b, double tolerance) {
+    const bool a_meets = a.error() <= tolerance, b_meets = b.error() <= tolerance;
+    if (a_meets != b_meets) return a_meets;
+    return a_meets ? a.seconds < b.seconds : a.error() < b.error();
+}
+
+Beyond what_is_beyond(const Decision& d) {
+    if (d.breaking > 1) return Beyond::breaking;
+    if (d.meets || d.stated || d.choice().model_error <= d.tolerance) return Beyond::nothing;
+    return d.scene.jump_m > 0 ? Beyond::bores_in_deep_water : Beyond::dispersive_and_nonlinear;
+}
+
+std::string percent(double share) { return fmt::format("{:.2g} %", 100 * share); }
+
+std::string against(const Forecast& rung, double tolerance, const Forecast& chosen) {
+    const std::string name(name_of(rung.model));
+    if (!rung.allowed) return fmt::format("{} cannot carry {}", name, rung.refusal);
+    if (rung.error() > tolerance)
+        return fmt::format("{} would be wrong by {} of a wavelength: {}", name, percent(rung.error()), rung.binding());
+    return fmt::format("{} would do as well ({}) at {:.2g} times the cost", name, percent(rung.error()),
+                       rung.seconds / chosen.seconds);
+}
+
+}  // namespace
+
+std::vector<std::string> Decision::reasons() const {
+    const Forecast& c = choice();
+    std::vector<std::string> lines;
+    if (c.model == ModelChoice::prescribed) {
+        lines.push_back("the scenario gives the surface by a formula or a file");
+        return lines;
+    }
+    lines.push_back(fmt::format("{}: {} is wrong by {} of a wavelength, of {} allowed; {} binds",
+                                stated ? "stated in the scenario" : "auto", name_of(c.model), percent(c.error()),
+                                percent(tolerance), c.binding()));
+    for (const Forecast& rung : rungs)
+        if (rung.model != c.model) lines.push_back(against(rung, tolerance, c));
+    return lines;
+}
+
+std::string Decision::warning() const {
+    const Forecast& c = choice();
+    const std::string least = fmt::format("{} is the least wrong: by {} of a wavelength, of {} allowed",
+                                          name_of(c.model), percent(c.error()), percent(tolerance));
+    switch (beyond) {
+        case Beyond::breaking:
+            return fmt::format("no model holds: waves {:.2g} times as steep as those that break; {}", breaking, least);
+        case Beyond::dispersive_and_nonlinear:
+            return "no model meets the tolerance: these waves are dispersive and nonlinear at once; " + least;
+        case Beyond::bores_in_deep_water:
+            return "no model meets the tolerance: a jump in water too deep for a bore breaks up into waves; " + least;
+        case Beyond::nothing:
+            break;
+    }
+    if (meets) return {};
+    return fmt::format("the tolerance is not met: {} is wrong by {} of a wavelength, of {} allowed ({})",
+                       name_of(c.model), percent(c.error()), percent(tolerance), c.binding());
+}
+
+std::string_view name_of(ModelChoice model) {
+    constexpr std::string_view names[] = {"auto", "linear", "airy", "shallow-water", "prescribed"};
+    return names[static_cast<int>(model)];
+}
+
+Decision choose(const Scenario& scenario) {
+    Decision d;
+    d.tolerance = scenario.accuracy.tolerance;
+    d.stated = scenario.waves.model != ModelChoice::automatic;
+    d.scene = scene_spectrum(scenario);
+    for (const SceneWave& wave : d.scene.waves)
+        if (!d.scene.bores) d.breaking = std::max(d.breaking, breaking_ratio(wave.train, scenario.water));
+    d.light = light_demand(scenario, d.scene);
+    const GridNeeds needs{d.tolerance, d.light.shortest_m > 0 ? d.light.shortest_m / samples_a_wave
+                                                              : std::numeric_limits<double>::infinity()};
+    const ModelChoice tentative = resolve_model(scenario).model;
+    std::vector<ModelChoice> ladder{ModelChoice::linear, ModelChoice::airy, ModelChoice::shallow_water};
+    if (tentative == ModelChoice::prescribed) ladder = {ModelChoice::prescribed};
+    for (const ModelChoice model : ladder) {
+        d.rungs.push_back(forecast(scenario, d.scene, model, needs));
+        d.rungs.back().refusal = refusal(scenario, model);
+        d.rungs.back().allowed = d.rungs.back().refusal.empty();
+    }
+    const auto fits = [&](const Forecast& rung) { return rung.allowed && (!d.stated || rung.model == tentative); };
+    std::size_t best = d.rungs.size();
+    for (std::size_t i = 0; i < d.rungs.size(); ++i)
+        if (fits(d.rungs[i]) && (best == d.rungs.size() || better(d.rungs[i], d.rungs[best], d.tolerance))) best = i;
+    if (best == d.rungs.size()) check_combinations(scenario);
+    d.chosen = std::min(best, d.rungs.size() - 1);
+    d.meets = d.choice().error() <= d.tolerance && d.breaking <= 1;
+    d.beyond = what_is_beyond(d);
+    size_light(scenario, d.light);
+    return d;
+}
+
+bool is_open(const Scenario& s) {
+    return s.waves.model == ModelChoice::automatic || s.domain.cells.x == 0 || (s.floor && s.floor->pixels.x == 0) ||
+           (s.beams && s.beams->grid.x == 0);
+}
+
+void settle(Scenario& s, const Decision& d) {
+    const std::string warning = d.warning();
+    if (s.accuracy.strict && !warning.empty())
+        s.origin.reject("accuracy.tolerance", fmt::format("{}; {}", d.tolerance, warning),
+                        "another tolerance or scene, or accuracy.strict = false");
+    s.decided = ModelDecision{d.choice().model, d.reasons(), warning};
+    s.waves.model = d.choice().model;
+    s.domain.cells = d.choice().cells;
+    if (s.floor) s.floor->pixels = d.light.pixels;
+    if (s.beams) s.beams->grid = d.light.beams;
+}
+
+}  // namespace waterlight

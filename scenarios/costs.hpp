@@ -1,0 +1,26 @@
+// What the parts of a run cost in time: the one table, measured (docs/auto.md says with what command). Another machine
+// is faster or slower by much the same factor in all of them, so that choices between models hold where seconds do not.
+#pragma once
+
+namespace waterlight::costs {
+
+// One thread of an Intel Xeon (Sapphire Rapids), CPU back-end, 50 to 500 cells along a side; seconds.
+constexpr double linear_frame = 6e-6;
+constexpr double linear_step = 4e-6;
+constexpr double linear_cell_step = 0.6e-9;
+constexpr double shallow_step = 2e-6;
+constexpr double shallow_cell_step = 24e-9;
+constexpr double airy_frame = 8e-6;
+constexpr double airy_cell_frame = 12e-9;
+constexpr double surface_cell_frame = 1e-9;  // of linear and shallow-water: elevation and slopes for the light
+constexpr double prescribed_cell_wave_frame = 2e-9;
+
+constexpr double floor_pixel_frame = 5e-9;           // two-pass, a sample, footprint "pixel"
+constexpr double floor_parallelogram_frame = 10e-9;  // footprint "adaptive"
+constexpr double truth_pixel_frame = 2e-6;           // converged to 1e-3
+constexpr double beam_frame = 0.1e-6;                // each of two a cell, made anew
+constexpr double beam_slice_frame = 40e-9;           // each beam in each layer of volume_cells
+constexpr double file_cell_frame =
+    10e-9;  // a cell or a pixel of a field and its picture, written by a thread of its own
+
+}  // namespace waterlight::costs

@@ -1,0 +1,121 @@
+// What is chosen where a scenario leaves it open, and what is said about it.
+#include "scenarios/choose.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "caustics/demand.hpp"
+#include "sim/spectrum.hpp"
+#include "tests/unit/scenario_support.hpp"
+
+namespace waterlight::test {
+namespace {
+
+const std::string open_pool = "[domain]\nsize_m = [8.0, 6.0]\ndepth_m = 2.0\n";
+
+Decision chosen(const std::string& text) { return choose(parse_scenario(text, "pool.toml")); }
+
+/// A wave of k h on 1 m of water, that runs n of its periods.
+std::string sine(double kh, double amplitude, double n, const std::string& more = "") {
+    const double length = 6.283185307179586 / kh;
+    const double period = 6.283185307179586 / std::sqrt(9.81 * kh * std::tanh(kh));
+    return "[domain]\nsize_m = [" + std::to_string(4 * length) + ", " + std::to_string(2 * length) +
+           "]\ndepth_m = 1.0\n[water]\nsurface_tension_n_m = 0.0\n[output]\nevery_s = " + std::to_string(n * period) +
+           "\n" + more +
+           "[waves]\nboundary = { x = \"periodic\", y = \"periodic\" }\nduration_s = " + std::to_string(n * period) +
+           "\n[[waves.sine]]\namplitude_m = " + std::to_string(amplitude) +
+           "\nwavelength_m = " + std::to_string(length) + "\n";
+}
+
+TEST(Choose, EachRungHasItsScenes) {
+    EXPECT_EQ(chosen(sine(20, 1e-3, 5)).choice().model, ModelChoice::airy);
+    EXPECT_EQ(chosen(sine(0.05, 0.1, 0.6)).choice().model, ModelChoice::shallow_water);
+    EXPECT_TRUE(chosen(sine(20, 1e-3, 5)).meets);
+    EXPECT_TRUE(chosen(sine(0.05, 0.1, 0.6)).meets);
+}
+
+TEST(Choose, SaysWhereNoRungHolds) {
+    const Decision between = chosen(sine(0.5, 0.1, 3));
+    EXPECT_EQ(between.beyond, Beyond::dispersive_and_nonlinear);
+    EXPECT_NE(between.warning().find("no model meets the tolerance"), std::string::npos) << between.warning();
+    EXPECT_NE(between.warning().find("least wrong"), std::string::npos) << between.warning();
+    EXPECT_EQ(chosen(sine(20, 0.03, 1)).beyond, Beyond::breaking);
+    EXPECT_TRUE(chosen(sine(20, 1e-3, 5)).warning().empty());
+}
+
+TEST(Choose, ASmallerToleranceTakesMoreCells) {
+    int before = 0;
+    for (const double tolerance : {0.1, 0.02, 0.005}) {
+        const Decision d = chosen(sine(0.05, 1e-4, 1, "[accuracy]\ntolerance = " + std::to_string(tolerance) + "\n"));
+        EXPECT_TRUE(d.meets) << tolerance;
+        EXPECT_LE(d.choice().error(), tolerance);
+        EXPECT_GT(d.choice().cells.x, before) << tolerance;
+        before = d.choice().cells.x;
+    }
+}
+
+TEST(Choose, WhatAKeyForbidsIsNotTaken) {
+    const Decision sea = chosen(open_pool + "[waves.spectrum]\n");
+    EXPECT_EQ(sea.choice().model, ModelChoice::airy);
+    EXPECT_EQ(sea.rungs.front().refusal, "waves.spectrum");
+    const Decision dam = chosen(open_pool +
+                                "[waves]\nduration_s = 1\n[[waves.initial]]\ntype = \"circular-dam\"\n"
+                                "centre_m = [4, 3]\nradius_m = 2\ninside_level_m = 0.5\n");
+    EXPECT_EQ(dam.choice().model, ModelChoice::shallow_water);
+    EXPECT_EQ(chosen(open_pool + "[waves.gerstner]\n").choice().model, ModelChoice::prescribed);
+}
+
+TEST(Choose, SettlingFillsWhatIsOpenAndKeepsWhatIsStated) {
+    Scenario s = parse_scenario(
+        open_pool +
+            "cells = \"auto\"\n[waves]\nduration_s = 2\n[[waves.source]]\ntype = \"drop\"\nat_m = [4, 3]\n"
+            "[caustics.floor]\npixels = [100, 80]\n[caustics.beams]\ngrid = \"auto\"\n",
+        "pool.toml");
+    ASSERT_TRUE(is_open(s));
+    settle(s, choose(s));
+    EXPECT_FALSE(is_open(s));
+    EXPECT_GT(s.domain.cells.x, s.domain.cells.y);
+    EXPECT_EQ(s.floor->pixels, glm::ivec2(100, 80));
+    EXPECT_GT(s.beams->grid.x, 16);
+    EXPECT_FALSE(s.decided->reasons.empty());
+    check_combinations(s);
+}
+
+TEST(Choose, StrictRefusesWhatNoModelMeets) {
+    Scenario s = parse_scenario(sine(0.5, 0.1, 3, "[accuracy]\nstrict = true\n"), "pool.toml");
+    EXPECT_THROW(settle(s, choose(s)), InputError);
+    s.accuracy.strict = false;
+    settle(s, choose(s));
+    EXPECT_FALSE(s.decided->warning.empty());
+}
+
+/// The variance of a scene is that of its waves: a sine's a^2/2, the m0 of a sea.
+TEST(SceneSpectrum, HasTheVarianceOfItsSources) {
+    EXPECT_DOUBLE_EQ(scene_spectrum(parse_scenario(sine(1, 0.02, 1), "pool.toml")).variance_m2(), 0.0002);
+    const Scenario sea = parse_scenario(
+        open_pool + "[waves]\nduration_s = 1\n[waves.spectrum]\nsignificant_height_m = 0.2\npeak_period_s = 1\n",
+        "pool.toml");
+    EXPECT_NEAR(scene_spectrum(sea).variance_m2() / std::pow(0.2 / 4, 2), 1, 0.02);
+}
+
+/// A drop's transform, summed over its bins, is the mean square of its profile: the integral of h^2 (1 - q)^2 exp(-2q)
+/// over the plane is pi R^2 h^2 / 4.
+TEST(SceneSpectrum, BinsOfADropAddUpToItsMeanSquare) {
+    const Scenario s = parse_scenario(open_pool +
+                                          "[waves]\nduration_s = 1\n[[waves.source]]\ntype = \"drop\"\nat_m = [4, 3]\n"
+                                          "radius_m = 0.2\nheight_m = 0.01\n",
+                                      "pool.toml");
+    const double expected = 3.14159265358979 * 0.04 * 1e-4 / 4 / 48;
+    EXPECT_NEAR(scene_spectrum(s).variance_m2() / expected, 1, 0.02);
+}
+
+TEST(CausticDemand, IsThatOfTheDesign) {
+    EXPECT_DOUBLE_EQ(caustic_contrast(12, 0.01, 2, 4.0 / 3), 0.25 * 2 * 0.01 * 144);
+    EXPECT_NEAR(focus_depth(4 * 3.14159265358979, 0.01, 4.0 / 3), 2.533, 1e-3);
+    EXPECT_NEAR(landing_distance(0.01, 3, 0, 4.0 / 3), 3 * 0.01 / 4, 1e-5);
+}
+
+}  // namespace
+}  // namespace waterlight::test
