@@ -81,8 +81,8 @@ std::string light_line(const Scenario& s, const LightDemand& light) {
     if (light.contrast == 0) return "no wave that would focus it is known beforehand";
     const std::string shortest = light.shortest_m > 0 ? fmt::format("waves down to {} show", length(light.shortest_m))
                                                       : std::string("no wave shows above the tolerance");
-    return fmt::format("{}; waves of {} focus first, at {} of {}", shortest, length(light.strongest_m),
-                       length(light.focus_m), length(s.domain.depth_m));
+    return fmt::format("{}; waves of {} focus first, {} down; the floor lies at {}", shortest,
+                       length(light.strongest_m), length(light.focus_m), length(s.domain.depth_m));
 }
 
 std::string floor_line(const Scenario& s, const LightDemand& light) {

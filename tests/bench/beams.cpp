@@ -5,6 +5,8 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <chrono>
+#include <cmath>
 #include <map>
 
 #include "tests/support/surfaces.hpp"
@@ -39,13 +41,12 @@ void count_stages(benchmark::State& state, const std::map<std::string, double>& 
         state.counters[stage + "_ms"] = benchmark::Counter(1e3 * s, benchmark::Counter::kAvgIterations);
 }
 
-void beams_image(benchmark::State& state, BeamRenderer& renderer, int n, int reduction) {
+void beams_image(benchmark::State& state, BeamRenderer& renderer, int n) {
     const Surface surface = pool();
     const BeamSettings settings = beam_settings(n);
     BeamImageSettings picture;
     picture.camera = beside_the_pool();
     picture.optics = settings.optics;
-    picture.reduction = reduction;
     Beams beams;
     BeamImage image;
     make_beams(settings, surface, beams);
@@ -60,6 +61,74 @@ void beams_image(benchmark::State& state, BeamRenderer& renderer, int n, int red
     state.counters["beams"] = static_cast<double>(image.counts.beams);
     state.counters["covered_pixels"] = static_cast<double>(image.counts.covered_pixels);
     if (image.counts.sections > 0) state.counters["sections"] = static_cast<double>(image.counts.sections);
+}
+
+/// RMS of the difference over that of the full picture.
+double error_of(const BeamImage& image, const BeamImage& full) {
+    double difference = 0, sum = 0;
+    for (std::size_t i = 0; i < full.radiance.size(); ++i) {
+        const double f = full.radiance.data()[i], d = image.radiance.data()[i] - f;
+        difference += d * d;
+        sum += f * f;
+    }
+    return std::sqrt(difference / sum);
+}
+
+/// A cheaper picture beside the full one of the same frame: counters `error` (relative RMSE), `saving` (the part of the
+/// full one's time that it does without) and the rays through cells of both. One frame after the other is timed, full
+/// and cheap in turn, so that a slow minute slows both.
+template <class Cheap>
+void compare(benchmark::State& state, int full_grid, Cheap cheap) {
+    using Clock = std::chrono::steady_clock;
+    const Surface surface = pool();
+    const BeamSettings settings = beam_settings(full_grid);
+    BeamImageSettings picture;
+    picture.camera = beside_the_pool();
+    picture.optics = settings.optics;
+    Beams beams;
+    BeamImage full, image;
+    double full_s = 0, cheap_s = 0;
+    for (auto _ : state) {
+        const Clock::time_point start = Clock::now();
+        make_beams(settings, surface, beams);
+        draw_beams(picture, beams, full);
+        const Clock::time_point middle = Clock::now();
+        cheap(surface, picture, image);
+        cheap_s += std::chrono::duration<double>(Clock::now() - middle).count();
+        full_s += std::chrono::duration<double>(middle - start).count();
+        state.SetIterationTime(std::chrono::duration<double>(Clock::now() - middle).count());
+    }
+    state.counters["error"] = error_of(image, full);
+    state.counters["saving"] = 1 - cheap_s / full_s;
+    state.counters["sections"] = static_cast<double>(image.counts.sections);
+    state.counters["sections_of_full"] = static_cast<double>(full.counts.sections);
+}
+
+void reduced(benchmark::State& state, int reduction) {
+    Beams beams;
+    compare(state, 128, [&](const Surface& surface, BeamImageSettings picture, BeamImage& image) {
+        picture.reduction = reduction;
+        make_beams(beam_settings(128), surface, beams);
+        draw_beams(picture, beams, image);
+    });
+}
+
+/// A grid of half the cells, refined where light converges, against the full grid.
+void refined(benchmark::State& state, double share) {
+    RefinedBeams beams;
+    compare(state, 128, [&](const Surface& surface, const BeamImageSettings& picture, BeamImage& image) {
+        make_refined_beams(beam_settings(64), share, surface, beams);
+        draw_beams(picture, beams, image);
+    });
+}
+
+/// The same grid of half the cells without refining.
+void coarse(benchmark::State& state) {
+    Beams beams;
+    compare(state, 128, [&](const Surface& surface, const BeamImageSettings& picture, BeamImage& image) {
+        make_beams(beam_settings(64), surface, beams);
+        draw_beams(picture, beams, image);
+    });
 }
 
 void make_only(benchmark::State& state, int n) {
@@ -93,7 +162,7 @@ void add(const std::string& name, Run run) {
 void register_beams(const std::string& backend, const MakeRenderer& make) {
     for (const int n : {32, 64, 128})
         add(fmt::format("beams_image/{}/{}/900x600", backend, n),
-            [n, make](benchmark::State& s) { beams_image(s, *make(), n, 1); });
+            [n, make](benchmark::State& s) { beams_image(s, *make(), n); });
     add(fmt::format("beams_volume/{}/128x128x128", backend), [make](benchmark::State& s) {
         beams_volume(s, *make(), {128, 128, 128});
     });
@@ -102,9 +171,16 @@ void register_beams(const std::string& backend, const MakeRenderer& make) {
 void register_beam_parts() {
     for (const int n : {32, 64, 128})
         add(fmt::format("beams_make/cpu/{}", n), [n](benchmark::State& s) { make_only(s, n); });
-    for (const int reduction : {2, 4})
-        add(fmt::format("beams_image_reduced/cpu/128/900x600/{}", reduction),
-            [reduction](benchmark::State& s) { beams_image(s, *make_beam_renderer_cpu(), 128, reduction); });
+    const auto add_timed = [](const std::string& name, auto run) {
+        benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMillisecond)->UseManualTime();
+    };
+    for (const int reduction : {2, 3, 4})
+        add_timed(fmt::format("beams_image_reduced/cpu/128/900x600/{}", reduction),
+                  [reduction](benchmark::State& s) { reduced(s, reduction); });
+    for (const double share : {.5, .7, .9})
+        add_timed(fmt::format("beams_image_refined/cpu/64/900x600/{}", share),
+                  [share](benchmark::State& s) { refined(s, share); });
+    add_timed("beams_image_coarse/cpu/64/900x600", coarse);
 }
 
 }  // namespace waterlight::bench
