@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <omp.h>
 
-#include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "app/hash.hpp"
 #include "app/version.hpp"
 #include "scenarios/resolve.hpp"
 
@@ -15,18 +15,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// FNV-1a, 64 bits (Fowler, Noll, Vo), over the scenario's text and its overrides.
+/// Of the scenario's text and its overrides.
 std::string hash_of(const Origin& origin) {
-    std::uint64_t hash = 14695981039346656037U;
-    const auto add = [&hash](std::string_view bytes) {
-        for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
-    };
-    add(origin.text);
+    Hash hash;
+    hash.add(origin.text);
     for (const std::string& override : origin.overrides) {
-        add("\n");
-        add(override);
+        hash.add("\n");
+        hash.add(override);
     }
-    return fmt::format("fnv1a64:{:016x}", hash);
+    return fmt::format("fnv1a64:{:016x}", hash.value());
 }
 
 Json ledger_json(const FloorLedger& l, double per) {

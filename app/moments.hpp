@@ -1,0 +1,19 @@
+// When a run stops to look at the water.
+#pragma once
+
+#include <vector>
+
+#include "scenarios/scenario.hpp"
+
+namespace waterlight {
+
+/// A time at which a run stops: a frame, or the probes alone.
+struct Moment {
+    double time_s = 0;
+    bool is_frame = true;
+};
+
+/// After the start, in order; frames every_s apart, the last at duration_s.
+std::vector<Moment> moments_of(const Scenario& scenario);
+
+}  // namespace waterlight
