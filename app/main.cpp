@@ -12,6 +12,8 @@
 
 #include "app/devices.hpp"
 #include "app/run.hpp"
+#include "app/sweep/command.hpp"
+#include "app/sweep/sweep.hpp"
 #include "app/version.hpp"
 #include "gpu/error.hpp"
 #include "scenarios/document.hpp"
@@ -25,6 +27,7 @@ enum ExitCode { done = 0, check_failed = 1, wrong_input = 2, world_failed = 3 };
 
 struct Arguments {
     RunOptions run;
+    SweepOptions sweep;
     std::string backend = "auto";
     int threads = 0;
     bool json = false;
@@ -75,6 +78,10 @@ int execute(const CLI::App& program, Arguments& args) {
         fmt::print("{}", devices_text());
         return done;
     }
+    if (program.got_subcommand("sweep")) {
+        if (args.sweep.threads > 0) omp_set_num_threads(args.sweep.threads);
+        return sweep(args.sweep) ? done : check_failed;
+    }
     if (args.threads > 0) omp_set_num_threads(args.threads);
     return run_scenario(args.run) ? done : check_failed;
 }
@@ -88,6 +95,7 @@ int parse_and_execute(int argc, char** argv) {
     program.set_version_flag("--version", std::string("waterlight ") + version);
     program.require_subcommand(1);
     add_run(program, args);
+    add_sweep(program, args.sweep);
     add_schema(program, args);
     program.add_subcommand("devices", "List the devices that can compute, and why one is chosen")
         ->footer("Example:\n  waterlight devices");
