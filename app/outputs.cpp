@@ -109,6 +109,7 @@ std::size_t FrameFiles::bytes() const {
     for (const auto* field : {&surface.velocity_x, &surface.velocity_y, &surface.depth})
         if (*field) count += (*field)->size();
     count += plane_irradiance.size() + scalar_irradiance.size() + radiance.size();
+    count += floor_error.size() + waves_error.size();
     return count * sizeof(float);
 }
 
@@ -143,6 +144,8 @@ void Outputs::push(const FrameView& view, std::vector<double> probes) {
         frame.scalar_irradiance = view.volume->scalar_irradiance.clone();
     }
     if (view.picture) frame.radiance = view.picture->radiance.clone();
+    if (view.floor_error && settings_.wants("vti")) frame.floor_error = view.floor_error->clone();
+    if (view.waves_error && settings_.wants("vti")) frame.waves_error = view.waves_error->clone();
     const bool pictures = settings_.wants("png") || settings_.wants("png16");
     if (pictures && surface.depth) frame.shown = wet_part(surface, wet_m_);
     frame.probes = std::move(probes);
@@ -173,10 +176,13 @@ void Outputs::write_fields(const FrameFiles& frame) {
     VtiFrame fields = surface_frame(frame.surface);
     if (!frame.surface.slope_x.empty())
         fields.arrays.push_back({"slope", {frame.surface.slope_x.values(), frame.surface.slope_y.values(), {}}});
+    if (!frame.waves_error.empty()) fields.arrays.push_back({"error", {frame.waves_error.values()}});
     written_.insert(surface_series_.write(fields));
     written_.insert(folder_ / "surface.pvd");
     if (plan_) {
-        written_.insert(floor_series_.write(floor_frame(*plan_, depth_m_, time_s, frame.irradiance)));
+        VtiFrame map = floor_frame(*plan_, depth_m_, time_s, frame.irradiance);
+        if (!frame.floor_error.empty()) map.arrays.push_back({"error", {frame.floor_error.values()}});
+        written_.insert(floor_series_.write(map));
         written_.insert(folder_ / "floor.pvd");
     }
     if (has_volume_) {

@@ -28,6 +28,8 @@ struct FrameView {
     const FloorMap* floor = nullptr;
     const BeamVolume* volume = nullptr;
     const BeamImage* picture = nullptr;
+    const Field<float>* floor_error = nullptr;  ///< of the irradiance, W/m2
+    const Field<float>* waves_error = nullptr;  ///< of the elevation, m
 };
 
 /// One frame as it is handed over to be written: copies that the run may then forget.
@@ -38,6 +40,7 @@ struct FrameFiles {
     glm::ivec3 volume_cells{0, 0, 0};
     Field<float> plane_irradiance, scalar_irradiance;  ///< in the water; empty without fields
     Field<float> radiance;                             ///< empty without a camera
+    Field<float> floor_error, waves_error;             ///< empty without an estimate
     std::vector<double> probes;
 
     std::size_t bytes() const;

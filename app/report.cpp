@@ -115,6 +115,7 @@ Json wall_json(const StageTimes& wall) {
     return {{"waves", wall.waves},
             {"caustics.floor", wall.floor},
             {"caustics.beams", wall.beams},
+            {"accuracy", wall.accuracy},
             {"render", 0.0},
             {"export", wall.export_busy},
             {"export_waited", wall.export_blocked},
@@ -163,6 +164,9 @@ nlohmann::ordered_json report_json(const Scenario& scenario, const BackendDecisi
                           {"last_frame", ledger_json(record.floor->last_ledger, 1)}};
         json["floor"] = floor_json(*record.floor, scenario.floor->method);
     }
+    if (record.accuracy)
+        json["accuracy"] = {{"floor", {{"estimated_rmse", record.accuracy->floor_rmse}}},
+                            {"waves", {{"estimated_rmse", record.accuracy->waves_rmse}}}};
     if (record.beams) json["beams"] = beams_json(*record.beams, scenario, record.frames);
     if (record.shallow) json["shallow_water"] = shallow_json(*record.shallow);
     json["mass_drift_m"] = record.waves.mass_drift_m;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/accuracy_stage.hpp"
 #include "app/beam_stage.hpp"
 #include "app/floor_stage.hpp"
 #include "app/readings.hpp"
@@ -22,6 +23,7 @@ struct StageTimes {
     double waves = 0;
     double floor = 0;
     double beams = 0;
+    double accuracy = 0;
     double diagnostics = 0;
     double export_busy = 0;     ///< of the thread that writes
     double export_blocked = 0;  ///< that computing waited for it
@@ -89,6 +91,7 @@ struct RunRecord {
     WaveRecord waves;
     std::optional<FloorRecord> floor;
     std::optional<BeamRecord> beams;
+    std::optional<AccuracyRecord> accuracy;
     std::optional<SeaRecord> sea;
     std::optional<ShallowRecord> shallow;
     std::map<std::string, ProbeRecord> probes;

@@ -66,6 +66,7 @@ class Run {
           floor_(scenario.floor ? make_floor_stage(scenario, waves_, backend_) : nullptr),
           recorder_(scenario) {
         if (scenario.beams) beams_.emplace(scenario);
+        if (scenario.accuracy.estimate) accuracy_.emplace(scenario, waves_, backend_);
     }
 
     bool go() {
@@ -86,6 +87,7 @@ class Run {
             double now = 0;
             for (const Moment& moment : moments) {
                 timed(wall().waves, [&] { waves_.model->advance(moment.time_s - now); });
+                if (accuracy_) timed(wall().accuracy, [&] { accuracy_->advance(moment.time_s - now); });
                 now = moment.time_s;
                 if (!moment.is_frame) {
                     record_row(now, outputs);
@@ -117,6 +119,7 @@ class Run {
         look();
         if (floor_) timed(wall().floor, [&] { floor_->compute(*surface_, map_); });
         if (beams_) timed(wall().beams, [&] { beams_->compute(*surface_); });
+        if (accuracy_) timed(wall().accuracy, [&] { accuracy_->compute(*surface_, floor_ ? &map_ : nullptr); });
     }
 
     /// As a probe reads it: in the water, or on the floor.
@@ -151,7 +154,10 @@ class Run {
         });
         const BeamVolume* volume = beams_ ? beams_->volume() : nullptr;
         const BeamImage* picture = beams_ ? beams_->image() : nullptr;
-        outputs.push({*surface_, floor_ ? &map_ : nullptr, volume, picture}, std::move(probes));
+        FrameView view{*surface_, floor_ ? &map_ : nullptr, volume, picture};
+        if (accuracy_) view.floor_error = accuracy_->floor_error();
+        if (accuracy_) view.waves_error = accuracy_->waves_error();
+        outputs.push(view, std::move(probes));
     }
 
     void record_row(double time_s, Outputs& outputs) {
@@ -180,6 +186,11 @@ class Run {
         record.waves.model = waves_.model->name();
         record.waves.steps = waves_.model->steps();
         if (beams_) record.beams = beams_->record();
+        if (accuracy_) {
+            record.accuracy = accuracy_->record();
+            if (record.floor && std::isfinite(record.floor->truth_error))
+                record.accuracy->floor_rmse = record.floor->truth_error;
+        }
         if (waves_.airy && !waves_.sea.empty()) record.sea = SeaRecord{waves_.airy->sea_coverage(), waves_.sea};
         const std::vector<CheckResult> checks = judge(scenario_.checks, quantities_of(record));
         write_json(out_ / "report.json", report_json(scenario_, backend_, record, checks));
@@ -217,6 +228,7 @@ class Run {
     BuiltModel waves_;
     std::unique_ptr<FloorStage> floor_;
     std::optional<BeamStage> beams_;
+    std::optional<AccuracyStage> accuracy_;
     Recorder recorder_;
     std::optional<ShallowWatch> shallow_;
     const Surface* surface_ = nullptr;

@@ -127,6 +127,15 @@ void check_floor(const Scenario& s) {
                         "an odd integer >= 1");
 }
 
+/// A solution on half as many cells must still be one.
+void check_accuracy(const Scenario& s) {
+    constexpr int least = 8;
+    const glm::ivec2 n = s.domain.cells;
+    if (s.accuracy.estimate && std::max(n.x, n.y) < least)
+        s.origin.reject("domain.cells", fmt::format("[{}, {}] beside accuracy.estimate", n.x, n.y),
+                        fmt::format("at least {} along an axis", least));
+}
+
 void check_probes(const Scenario& s) {
     std::set<std::string> names;
     for (std::size_t i = 0; i < s.probes.size(); ++i) {
@@ -143,10 +152,11 @@ void check_probes(const Scenario& s) {
 
 /// The section that a quantity needs and the scenario lacks; else empty.
 std::string_view lacking_section(const Scenario& s, const std::string& quantity) {
+    if (quantity.starts_with("accuracy.") && !s.accuracy.estimate) return "accuracy.estimate = true";
     const auto in_water = [&](const Probe& probe) {
         return probe.depth_m && quantity.starts_with("probe." + probe.name + ".");
     };
-    const bool of_floor = quantity.starts_with("floor.") || quantity.ends_with("irradiance");
+    const bool of_floor = quantity.find("floor.") != std::string::npos || quantity.ends_with("irradiance");
     if (quantity.starts_with("beams.")) return s.beams ? "" : "[caustics.beams]";
     if (quantity.starts_with("volume.")) return s.beams && s.beams->volume_cells ? "" : "caustics.beams.volume_cells";
     if (quantity.starts_with("camera.")) return s.camera ? "" : "[camera]";
@@ -202,6 +212,7 @@ void check_combinations(const Scenario& s) {
     check_output(s);
     check_floor(s);
     check_beams(s);
+    check_accuracy(s);
     check_probes(s);
     check_checks(s);
 }

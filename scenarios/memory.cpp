@@ -32,6 +32,12 @@ double bytes_per_cell(ModelChoice model) {
     return model == ModelChoice::prescribed ? prescribed_cell : airy_cell;
 }
 
+/// The model's own cells and, where errors are estimated, those of the models alongside (WaveEstimate).
+double solutions(const Scenario& scenario, ModelChoice model) {
+    if (!scenario.accuracy.estimate || model == ModelChoice::prescribed) return 1;
+    return model == ModelChoice::airy ? 10 : 1 + 1 / 4.0 + 1 / 16.0;
+}
+
 std::string in_gib(double bytes) { return fmt::format("{:.3g} GiB", bytes / (1 << 30)); }
 
 double number_in_file(const char* path, const std::string& label) {
@@ -57,14 +63,17 @@ MemoryEstimate estimate_memory(const Scenario& scenario) {
         with_margins(boundary.x, scenario.domain.size_m.x) * with_margins(boundary.y, scenario.domain.size_m.y);
     const glm::ivec2 n = scenario.domain.cells;
     MemoryEstimate estimate;
-    estimate.cells = margins * n.x * static_cast<double>(n.y) * bytes_per_cell(model);
+    estimate.cells = margins * n.x * static_cast<double>(n.y) * bytes_per_cell(model) * solutions(scenario, model);
     if (scenario.beams && scenario.beams->volume_cells) {
         const glm::dvec3 v(*scenario.beams->volume_cells);
         estimate.volume = v.x * v.y * v.z * volume_cell;
     }
     if (!scenario.floor) return estimate;
     const glm::ivec2 pixels = scenario.floor->pixels;
-    const double per_pixel = scenario.floor->method == FloorMethod::truth ? truth_pixel : two_pass_pixel;
+    const bool truth = scenario.floor->method == FloorMethod::truth;
+    const double per_pixel = truth                        ? truth_pixel
+                             : scenario.accuracy.estimate ? two_pass_pixel + truth_pixel
+                                                          : two_pass_pixel;
     estimate.pixels = pixels.x * static_cast<double>(pixels.y) * per_pixel;
     return estimate;
 }

@@ -90,7 +90,7 @@ struct CameraSection {
     Camera camera;
     int samples = 1;
     int reduction = 1;
-    std::optional<double> range_m;       ///< none: chosen by beam_image_settings()
+    std::optional<double> range_m;           ///< none: chosen by beam_image_settings()
     std::optional<double> radiance_max;      ///< of the pictures, W/(m2 sr); none: of each frame
     std::optional<double> radiance_decades;  ///< below it that the pictures show, on a logarithmic scale; none: linear
 };
@@ -106,6 +106,11 @@ struct OutputSection {
 
     bool wants(const std::string& format) const;
     bool shows(const std::string& field) const;
+};
+
+/// How wrong the run may be, and how wrong it is.
+struct AccuracySection {
+    bool estimate = false;
 };
 
 /// A gauge: the elevation of the surface, and the irradiance below it, at one place.
@@ -135,6 +140,7 @@ struct Scenario {
     std::optional<FloorSection> floor;
     std::optional<BeamsSection> beams;
     std::optional<CameraSection> camera;
+    AccuracySection accuracy;
     OutputSection output;
     std::vector<Probe> probes;
     std::vector<Check> checks;

@@ -2,6 +2,7 @@
 #include "scenarios/schema.hpp"
 
 #include "scenarios/scenario.hpp"
+#include "scenarios/schema_accuracy.hpp"
 #include "scenarios/schema_beams.hpp"
 #include "scenarios/schema_parts.hpp"
 #include "scenarios/schema_shallow.hpp"
@@ -255,6 +256,7 @@ void describe(Visitor& v, Scenario& s) {
     });
     v.optional_section({"camera", "", "A picture of the light that the water scatters; needs caustics.beams."},
                        into(s.camera, describe_camera));
+    v.section({"accuracy", "", "How wrong the run may be."}, [&s](Visitor& in) { describe_accuracy(in, s.accuracy); });
     v.section({"output", "", "What is written."}, [&s](Visitor& in) { describe_output(in, s.output); });
     v.list({"probe", "", "A gauge: elevation, and irradiance below it."},
            {{"", "", append<Probe>(s.probes, describe_probe)}});
