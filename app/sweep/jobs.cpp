@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <system_error>
 #include <thread>
 
@@ -35,6 +36,7 @@ std::vector<std::string> arguments_of(const SweepOptions& o, int jobs) {
     const char* backends[] = {"auto", "cpu", "vulkan"};
     add("--backend", backends[static_cast<int>(o.device.backend)]);
     if (!o.device.device.empty()) add("--device", o.device.device);
+    if (o.max_runs < std::numeric_limits<int>::max()) add("--max-runs", fmt::format("{}", o.max_runs / jobs));
     if (o.max_time_s < 1e300) add("--max-time", fmt::format("{}", o.max_time_s));
     return a;
 }
@@ -54,7 +56,8 @@ pid_t start(const std::vector<std::string>& arguments) {
 int jobs_at_once(const SweepOptions& options, const std::vector<Setting>& settings) {
     double greatest = 1;
     for (const Setting& setting : settings) greatest = std::max(greatest, estimate_memory(setting.scenario).total());
-    return std::clamp(static_cast<int>(std::min(machine_memory() / greatest, 1e6)), 1, options.jobs);
+    return std::clamp(static_cast<int>(std::min(machine_memory() / greatest, 1e6)), 1,
+                      std::min(options.jobs, options.max_runs));
 }
 
 void run_jobs(const SweepOptions& options, int jobs, const std::function<void()>& look) {

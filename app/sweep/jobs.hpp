@@ -7,7 +7,8 @@
 
 namespace waterlight {
 
-/// How many of options.jobs settings fit the memory that this machine has free, at least one.
+/// How many of options.jobs settings fit the memory that this machine has free, at least one; no more than
+/// options.max_runs.
 int jobs_at_once(const SweepOptions& options, const std::vector<Setting>& settings);
 
 /// Starts this program so many times on the same sweep; together they share the threads and run what has not run.

@@ -76,6 +76,11 @@ Drawing plot_of(const Table& table) {
     }
     for (std::size_t i = 0; i < table.costs.size(); ++i)
         if (is_drawn(table.costs[i])) d.discs.push_back({place(i), 4.5, Pen::mark});
+    if (table.tolerance) {
+        if (const auto cheapest = cheapest_within(table.costs, *table.tolerance);
+            cheapest && is_drawn(table.costs[*cheapest]))
+            d.discs.push_back({place(*cheapest), 10, Pen::limit});
+    }
     const std::size_t* before = nullptr;
     for (const std::size_t& i : table.front) {
         if (!is_drawn(table.costs[i])) continue;

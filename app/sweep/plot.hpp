@@ -7,7 +7,7 @@
 namespace waterlight {
 
 /// Every setting as a point on logarithmic axes, those of the front joined and numbered as in the table, the tolerance
-/// as a dashed line. Settings without a positive time and error are left out.
+/// as a dashed line and the cheapest within it ringed. Settings without a positive time and error are left out.
 Drawing plot_of(const Table& table);
 
 }  // namespace waterlight

@@ -134,8 +134,8 @@ Refined refine(const SweepOptions& options, const Comparison& comparison, const 
         Waves waves = waves_of(std::move(*finer), comparison.times_s);
         const double change = difference(r.waves, waves, comparison.points);
         r.waves = std::move(waves);
-        r.description = fmt::format("{} with {} x {} cells ({:.2g} from half as many along each side)", name(),
-                                    cells().x, cells().y, change);
+        r.description = fmt::format("{} with {} x {} cells ({:.2g} % from half as many along each side)", name(),
+                                    cells().x, cells().y, 100 * change);
         if (change <= options.reference_tolerance) break;
     }
     return r;
@@ -164,7 +164,8 @@ Reference compute(const SweepOptions& options, const Comparison& comparison, con
         truth_error = std::max(truth_error, truth.error_estimate);
         reference.irradiance.push_back(std::move(truth.irradiance));
     }
-    if (comparison.raster.x > 0) reference.description += fmt::format(", light converged to {:.2g}", truth_error);
+    if (comparison.raster.x > 0)
+        reference.description += fmt::format(", light converged to {:.2g} %", 100 * truth_error);
     return reference;
 }
 

@@ -102,14 +102,14 @@ class Sweep {
     }
 
     void run() {
-        const int total = static_cast<int>(ours_.size());
+        const int had = done(), total = static_cast<int>(ours_.size()) - had;
         if (total == 0) return;
         Progress progress(stderr, total, options_.quiet, "setting");
         const int jobs = jobs_at_once(options_, settings_);
         if (jobs > 1) {
-            int shown = -1;
+            int shown = 0;
             run_jobs(options_, jobs, [&] {
-                if (const int now = done(); now != shown) progress.show(shown = now);
+                if (const int now = done() - had; now != shown) progress.show(shown = now);
             });
             return;
         }
@@ -120,7 +120,7 @@ class Sweep {
             if (ran >= options_.max_runs || elapsed > options_.max_time_s) break;
             if (!run_one(i)) continue;
             ++ran;
-            progress.show(done());
+            progress.show(done() - had);
         }
     }
 

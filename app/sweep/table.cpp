@@ -113,7 +113,7 @@ std::string explanation(const Table& table) {
     if (has_floor(table))
         text += fmt::format(
             " Light: the map against the truth below the setting's own surface; together: below those waves; both on "
-            "averages over {} x {} pixels.",
+            "averages over {} x {} pixels; what is below the convergence of the light tells nothing.",
             table.raster.x, table.raster.y);
     text += fmt::format(
         " Times are of the whole run without writing files, {}. * marks the front: nothing is both faster and less "
