@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 #include <omp.h>
-#include <spawn.h>
+#include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <limits>
 #include <system_error>
@@ -45,10 +47,13 @@ pid_t start(const std::vector<std::string>& arguments) {
     std::vector<char*> argv;
     for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);
-    pid_t child = 0;
-    const int error = posix_spawn(&child, "/proc/self/exe", nullptr, nullptr, argv.data(), environ);
-    if (error != 0) throw WorldError(fmt::format("cannot start a process: {}", std::generic_category().message(error)));
-    return child;
+    const pid_t child = fork();
+    if (child < 0) throw WorldError(fmt::format("cannot start a process: {}", std::generic_category().message(errno)));
+    if (child > 0) return child;
+    // It ends when this process does, however that ends; what it was at is then done anew.
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    execv("/proc/self/exe", argv.data());
+    _exit(127);
 }
 
 }  // namespace

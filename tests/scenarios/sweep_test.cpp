@@ -63,8 +63,8 @@ class Sweep : public ::testing::Test {
     }
     Outcome sweep(const Words& more = {}) const { return run_program(arguments(more)); }
 
-    pid_t start() const {
-        const Words words = arguments();
+    pid_t start(const Words& more = {}) const {
+        const Words words = arguments(more);
         std::vector<char*> argv{const_cast<char*>(WATERLIGHT_PROGRAM)};
         for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
         argv.push_back(nullptr);
@@ -151,6 +151,19 @@ TEST_F(Sweep, PartsAndJobsMakeTheSameWhole) {
     EXPECT_EQ(rows_of(out_ / "sweep.csv"), 24U);
     const auto after = files_of(out_ / "settings");
     for (const auto& [name, time] : before) EXPECT_EQ(after.at(name), time) << name;
+}
+
+TEST_F(Sweep, KilledItsJobsEndToo) {
+    const pid_t child = start({"--jobs", "2"});
+    while (results_in(out_) < 2 && waitpid(child, nullptr, WNOHANG) == 0)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    ASSERT_EQ(kill(child, SIGKILL), 0);
+    waitpid(child, nullptr, 0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    const std::size_t had = results_in(out_);
+    ASSERT_LT(had, 24U) << "it was too quick to be killed";
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    EXPECT_EQ(results_in(out_), had);
 }
 
 TEST_F(Sweep, RefusesAtOnceWhatIsWrong) {
