@@ -15,20 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// FNV-1a, 64 bits (Fowler, Noll, Vo), over the scenario's text and its overrides.
-std::string hash_of(const Origin& origin) {
-    std::uint64_t hash = 14695981039346656037U;
-    const auto add = [&hash](std::string_view bytes) {
-        for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
-    };
-    add(origin.text);
-    for (const std::string& override : origin.overrides) {
-        add("\n");
-        add(override);
-    }
-    return fmt::format("fnv1a64:{:016x}", hash);
-}
-
 Json ledger_json(const FloorLedger& l, double per) {
     return {{"incident_w", l.incident_w * per},   {"entered_w", l.entered_w * per},
             {"reflected_w", l.reflected_w * per}, {"extinguished_w", l.extinguished_w * per},
@@ -137,6 +123,19 @@ Json checks_json(const std::vector<CheckResult>& checks) {
 }
 
 }  // namespace
+
+std::string hash_of(const Origin& origin) {
+    std::uint64_t hash = 14695981039346656037U;
+    const auto add = [&hash](std::string_view bytes) {
+        for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
+    };
+    add(origin.text);
+    for (const std::string& override : origin.overrides) {
+        add("\n");
+        add(override);
+    }
+    return fmt::format("fnv1a64:{:016x}", hash);
+}
 
 nlohmann::ordered_json report_json(const Scenario& scenario, const BackendDecision& backend, const RunRecord& record,
                                    const std::vector<CheckResult>& checks) {

@@ -1,0 +1,19 @@
+// When a run stops to look.
+#pragma once
+
+#include <vector>
+
+#include "scenarios/scenario.hpp"
+
+namespace waterlight {
+
+/// A frame, or a reading of the probes alone.
+struct Moment {
+    double time_s = 0;
+    bool is_frame = true;
+};
+
+/// In order, from the frame at the start; frames every_s apart, the last at duration_s.
+std::vector<Moment> moments_of(const Scenario& scenario);
+
+}  // namespace waterlight
