@@ -127,7 +127,7 @@ void Outputs::exchange_state(StateArchive& state) {
 
 void Outputs::require_written() const {
     for (const fs::path& path : written_)
-        if (std::error_code error; !fs::exists(path, error))
+        if (std::error_code error; !fs::exists(path, error) && !error)
             throw WorldError(fmt::format("{} was written by this run and is gone", path.string()));
 }
 
@@ -135,7 +135,13 @@ template <class Job>
 void Outputs::push_job(std::size_t bytes, Job job) {
     queue_.push(bytes, [this, job = std::move(job)]() mutable {
         place_.require_present();
-        job();
+        try {
+            job();
+        } catch (const WorldError&) {
+            // That the folder vanished meanwhile says more.
+            place_.require_present();
+            throw;
+        }
     });
 }
 
@@ -190,17 +196,18 @@ void Outputs::write_fields(const FrameFiles& frame) {
     VtiFrame fields = surface_frame(frame.surface);
     if (!frame.surface.slope_x.empty())
         fields.arrays.push_back({"slope", {frame.surface.slope_x.values(), frame.surface.slope_y.values(), {}}});
-    written_.insert(surface_series_.write(fields));
-    written_.insert(folder_ / "surface.pvd");
-    if (plan_) {
-        written_.insert(floor_series_.write(floor_frame(*plan_, depth_m_, time_s, frame.irradiance)));
-        written_.insert(folder_ / "floor.pvd");
-    }
-    if (has_volume_) {
-        written_.insert(volume_series_.write(volume_frame({frame.surface.grid, depth_m_, time_s}, frame.volume_cells,
-                                                          frame.plane_irradiance, frame.scalar_irradiance)));
-        written_.insert(folder_ / "volume.pvd");
-    }
+    add_to(surface_series_, "surface.pvd", fields);
+    if (plan_) add_to(floor_series_, "floor.pvd", floor_frame(*plan_, depth_m_, time_s, frame.irradiance));
+    if (has_volume_)
+        add_to(volume_series_, "volume.pvd",
+               volume_frame({frame.surface.grid, depth_m_, time_s}, frame.volume_cells, frame.plane_irradiance,
+                            frame.scalar_irradiance));
+}
+
+void Outputs::add_to(VtiSeries& series, const char* name, const VtiFrame& frame) {
+    place_.require_present();
+    written_.insert(series.write(frame));
+    written_.insert(folder_ / name);
 }
 
 void Outputs::write(const FrameFiles& frame) {
@@ -214,6 +221,7 @@ void Outputs::write(const FrameFiles& frame) {
 }
 
 fs::path Outputs::image(const std::string& name, const char* extension) {
+    place_.require_present();
     fs::path path = folder_ / "images" / fmt::format("{}_{:06}.{}", name, frame_, extension);
     written_.insert(path);
     return path;

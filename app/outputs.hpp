@@ -85,6 +85,7 @@ class Outputs {
     void require_written() const;
     void write(const FrameFiles& frame);
     void write_fields(const FrameFiles& frame);
+    void add_to(VtiSeries& series, const char* name, const VtiFrame& frame);
     void write_pictures(const FrameFiles& frame);
     void write_radiance(const FrameFiles& frame);
     void write_greys(const FrameFiles& frame);

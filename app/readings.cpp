@@ -44,8 +44,8 @@ void require_finite(std::string_view name, const Field<float>& field, const Inst
         for (int i = 0; i < field.nx(); ++i) sum += row[i] - row[i];
         if (sum == 0) continue;
         const auto i = std::find_if(row, row + field.nx(), [](float v) { return !std::isfinite(v); }) - row;
-        throw WorldError(fmt::format("the {} is not finite: {} in cell ({}, {}) at t = {} s, step {}", name, row[i], i,
-                                     j, when.time_s, when.step));
+        throw WorldError(fmt::format("the {} is not finite: {} in cell ({}, {}) at t = {:.9g} s, step {}", name, row[i],
+                                     i, j, when.time_s, when.step));
     }
 }
 

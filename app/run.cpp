@@ -160,11 +160,11 @@ class Run {
             const Moment& moment = moments_[next_];
             visit(moment, outputs);
             ++next_;
+            if (moment.is_frame) progress.show(recorder_.record().frames);
             if (next_ == moments_.size()) return;
             const int signal = moment.is_frame && options_.stop_signal ? options_.stop_signal() : 0;
             if (signal != 0 || is_checkpoint_due()) save(moment.time_s, outputs);
             if (signal != 0) stop(moment.time_s, signal, outputs);
-            if (moment.is_frame) progress.show(recorder_.record().frames);
         }
     }
 

@@ -97,8 +97,9 @@ void RunFolder::take() {
 bool RunFolder::is_held() const {
     struct stat held {
     }, there{};
-    return ::fstat(descriptor_, &held) == 0 && ::stat(lock_.c_str(), &there) == 0 && held.st_ino == there.st_ino &&
-           held.st_dev == there.st_dev;
+    // What cannot be reached may still be there: writing to it says why not.
+    if (::stat(lock_.c_str(), &there) != 0) return errno != ENOENT && errno != ENOTDIR;
+    return ::fstat(descriptor_, &held) == 0 && held.st_ino == there.st_ino && held.st_dev == there.st_dev;
 }
 
 void RunFolder::require_present() const {

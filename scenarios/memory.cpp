@@ -1,9 +1,12 @@
 #include "scenarios/memory.hpp"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
+#include <limits>
 #include <string>
 
 #include "scenarios/resolve.hpp"
@@ -69,9 +72,18 @@ MemoryEstimate estimate_memory(const Scenario& scenario) {
     return estimate;
 }
 
+/// What the process may still ask for, as `ulimit -v` limits it.
+static double address_space_left() {
+    rlimit limit{};
+    if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
+        return std::numeric_limits<double>::infinity();
+    const double used = number_in_file("/proc/self/statm", "") * static_cast<double>(::sysconf(_SC_PAGESIZE));
+    return std::max(0.0, static_cast<double>(limit.rlim_cur) - used);
+}
+
 double machine_memory() {
     constexpr double kib = 1024;
-    const double available = number_in_file("/proc/meminfo", "MemAvailable:") * kib;
+    const double available = std::min(number_in_file("/proc/meminfo", "MemAvailable:") * kib, address_space_left());
     const double limit = number_in_file("/sys/fs/cgroup/memory.max", "");
     return limit > 0 ? std::min(available, limit) : available;
 }
