@@ -95,8 +95,7 @@ void RunFolder::take() {
 }
 
 bool RunFolder::is_held() const {
-    struct stat held {
-    }, there{};
+    struct stat held = {}, there = {};
     // What cannot be reached may still be there: writing to it says why not.
     if (::stat(lock_.c_str(), &there) != 0) return errno != ENOENT && errno != ENOTDIR;
     return ::fstat(descriptor_, &held) == 0 && held.st_ino == there.st_ino && held.st_dev == there.st_dev;

@@ -208,6 +208,21 @@ TEST_F(Faults, NoVulkanDeviceIsSaidWithItsReason) {
     expect_one_line(child.output(), {"Vulkan", "driver"});
 }
 
+TEST_F(Faults, ADeviceThatIsLostStopsTheRunWhichGoesOnLater) {
+    const std::vector<std::string> shorter{"--backend", "vulkan", "--set", "waves.duration_s=1"};
+    ASSERT_EQ(run_program(arguments(folder_ / "plain", shorter)).exit, 0);
+    ChildLimits limits;
+    limits.environment = {"VK_LAYER_PATH=" WATERLIGHT_LAYERS, "VK_INSTANCE_LAYERS=VK_LAYER_WATERLIGHT_lost_device",
+                          "WATERLIGHT_LOST_AFTER=15"};
+    Child child(arguments(out_, shorter), folder_ / "log", limits);
+    expect_exit_three(child, {"the Vulkan device was lost", "checkpoint"});
+    expect_whole_files(out_);
+    std::vector<std::string> again = shorter;
+    again.emplace_back("--resume");
+    EXPECT_EQ(run_program(arguments(out_, again)).exit, 0);
+    EXPECT_EQ(differences(files_of(folder_ / "plain"), files_of(out_)), "");
+}
+
 TEST_F(Faults, WhatIsNotFiniteIsNamedWithItsPlaceAndTheLastCheckpoint) {
     // A drop beyond single precision falls in the middle of the run.
     const fs::path scenario = folder_.write(
