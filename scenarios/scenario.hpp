@@ -90,7 +90,7 @@ struct CameraSection {
     Camera camera;
     int samples = 1;
     int reduction = 1;
-    std::optional<double> range_m;       ///< none: chosen by beam_image_settings()
+    std::optional<double> range_m;           ///< none: chosen by beam_image_settings()
     std::optional<double> radiance_max;      ///< of the pictures, W/(m2 sr); none: of each frame
     std::optional<double> radiance_decades;  ///< below it that the pictures show, on a logarithmic scale; none: linear
 };
