@@ -20,6 +20,11 @@ void AccuracyStage::compute(const Surface& surface, const FloorMap* map) {
     if (floor_ && map) floor_->compute(exact_surface(surface, formula_), map->irradiance);
 }
 
+void AccuracyStage::exchange_state(StateArchive& state) {
+    if (floor_) floor_->exchange_state(state);
+    if (waves_) waves_->exchange_state(state);
+}
+
 AccuracyRecord AccuracyStage::record() const {
     AccuracyRecord record;
     if (floor_) record.floor_rmse = floor_->rmse();

@@ -26,6 +26,8 @@ class AccuracyStage {
     void advance(double seconds);
     /// `map` is null without a floor.
     void compute(const Surface& surface, const FloorMap* map);
+    /// Gives what goes on from frame to frame to the archive, or takes it from there.
+    void exchange_state(StateArchive& state);
 
     const Field<float>* floor_error() const { return floor_ ? &floor_->error() : nullptr; }
     const Field<float>* waves_error() const { return waves_ ? &waves_->error() : nullptr; }

@@ -89,6 +89,17 @@ BeamRecord BeamStage::record() const {
     return record;
 }
 
+void BeamStage::exchange_state(StateArchive& state) {
+    // All of them by name, so that one that is added cannot be forgotten here. The slices are those of the moments.
+    auto& [last, sum, closure, discarded, slices, flux_error, brightest, mean, most, counts] = record_;
+    state.value(last);
+    state.value(sum);
+    for (double* value : {&closure, &discarded, &flux_error, &brightest, &mean, &most}) state.value(*value);
+    state.value(counts);
+    state.list(moments_);
+    slices.clear();
+}
+
 double BeamStage::irradiance_at(glm::dvec2 at_m, double depth_m) const {
     return waterlight::irradiance_at(beams_, {at_m, -depth_m}).plane_w_m2;
 }

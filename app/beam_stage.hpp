@@ -6,6 +6,7 @@
 #include "caustics/beam_refine.hpp"
 #include "caustics/beam_volume.hpp"
 #include "scenarios/scenario.hpp"
+#include "sim/state_archive.hpp"
 
 namespace waterlight {
 
@@ -43,6 +44,8 @@ class BeamStage {
     /// Takes the frame just computed into the record.
     void add_frame();
     BeamRecord record() const;
+    /// Gives the record so far to the archive, or takes it from there.
+    void exchange_state(StateArchive& state);
     /// Downward irradiance (W/m2) at a place below still water.
     double irradiance_at(glm::dvec2 at_m, double depth_m) const;
 

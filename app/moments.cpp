@@ -10,11 +10,11 @@ namespace {
 
 constexpr double slack = 1e-9;  // of an interval: a duration that is a multiple but for rounding
 
-/// Times after the start: `every` apart, the last at the end.
+/// Times from the start: `every` apart, the last at the end.
 std::vector<double> times_of(double every, double duration) {
     const int whole = static_cast<int>(std::floor(duration / every + slack));
     std::vector<double> times;
-    for (int i = 1; i <= whole; ++i) times.push_back(i * every);
+    for (int i = 0; i <= whole; ++i) times.push_back(i * every);
     if (duration - whole * every > slack * every) times.push_back(duration);
     return times;
 }

@@ -7,13 +7,13 @@
 
 namespace waterlight {
 
-/// A time at which a run stops: a frame, or the probes alone.
+/// A time at which a run stops: a frame, or a reading of the probes alone.
 struct Moment {
     double time_s = 0;
     bool is_frame = true;
 };
 
-/// After the start, in order; frames every_s apart, the last at duration_s.
+/// In order, from the frame at the start; frames every_s apart, the last at duration_s.
 std::vector<Moment> moments_of(const Scenario& scenario);
 
 }  // namespace waterlight

@@ -104,4 +104,22 @@ std::vector<double> Recorder::add_probes(const Surface& surface,
     return columns;
 }
 
+void Recorder::exchange_state(StateArchive& state) {
+    state.value(conserved_j_);
+    state.value(watched_);
+    state.value(record_.frames);
+    state.value(record_.simulated_s);
+    state.value(record_.wall);
+    WaveRecord& waves = record_.waves;
+    state.value(waves.first);
+    state.value(waves.last);
+    state.value(waves.mass_drift_m);
+    state.value(waves.energy_drift);
+    if (scenario_.floor) {
+        if (!record_.floor) record_.floor.emplace();
+        state.value(*record_.floor);
+    }
+    for (const Probe& probe : scenario_.probes) state.value(record_.probes[probe.name]);
+}
+
 }  // namespace waterlight

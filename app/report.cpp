@@ -15,17 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Of the scenario's text and its overrides.
-std::string hash_of(const Origin& origin) {
-    Hash hash;
-    hash.add(origin.text);
-    for (const std::string& override : origin.overrides) {
-        hash.add("\n");
-        hash.add(override);
-    }
-    return fmt::format("fnv1a64:{:016x}", hash.value());
-}
-
 Json ledger_json(const FloorLedger& l, double per) {
     return {{"incident_w", l.incident_w * per},   {"entered_w", l.entered_w * per},
             {"reflected_w", l.reflected_w * per}, {"extinguished_w", l.extinguished_w * per},
@@ -135,6 +124,16 @@ Json checks_json(const std::vector<CheckResult>& checks) {
 }
 
 }  // namespace
+
+std::string hash_of(const Origin& origin) {
+    Hash hash;
+    hash.add(origin.text);
+    for (const std::string& override : origin.overrides) {
+        hash.add("\n");
+        hash.add(override);
+    }
+    return fmt::format("fnv1a64:{:016x}", hash.value());
+}
 
 nlohmann::ordered_json report_json(const Scenario& scenario, const BackendDecision& backend, const RunRecord& record,
                                    const std::vector<CheckResult>& checks) {

@@ -103,6 +103,9 @@ std::map<std::string, double> quantities_of(const RunRecord& record);
 /// One result for each bound that a check states. A value that is not a number fails.
 std::vector<CheckResult> judge(const std::vector<Check>& checks, const std::map<std::string, double>& quantities);
 
+/// FNV-1a, 64 bits (Fowler, Noll, Vo), over the scenario's text and its overrides.
+std::string hash_of(const Origin& origin);
+
 /// The report of DESIGN's contract.
 nlohmann::ordered_json report_json(const Scenario& scenario, const BackendDecision& backend, const RunRecord& record,
                                    const std::vector<CheckResult>& checks);

@@ -48,6 +48,10 @@ void WaveEstimate::advance(double seconds) {
     for (BuiltModel& other : others_) other.model->advance(seconds);
 }
 
+void WaveEstimate::exchange_state(StateArchive& state) {
+    for (BuiltModel& other : others_) other.model->exchange_state(state);
+}
+
 /// The surface less the other's, at the surface's wet cells.
 Field<float> WaveEstimate::difference(const Surface& finer, WaveModel& other) const {
     const Surface& coarser = other.surface();

@@ -23,6 +23,8 @@ class WaveEstimate {
     /// With the model itself.
     void advance(double seconds);
     void compute(const Surface& surface);
+    /// Gives the state of the other models to the archive, or takes it from there. The next frame computes the rest.
+    void exchange_state(StateArchive& state);
 
     /// Surface less exact surface, m, at the cells; 0 on dry ground.
     const Field<float>& error() const { return error_; }

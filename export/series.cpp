@@ -36,4 +36,9 @@ std::filesystem::path VtiSeries::write(const VtiFrame& frame) {
     return path;
 }
 
+void VtiSeries::exchange_state(StateArchive& state) {
+    state.value(frames_);
+    state.text(entries_);
+}
+
 }  // namespace waterlight

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "export/vti.hpp"
+#include "sim/state_archive.hpp"
 
 namespace waterlight {
 
@@ -19,6 +20,9 @@ class VtiSeries {
     std::filesystem::path write(const VtiFrame& frame);
 
     int frames() const { return frames_; }
+
+    /// Gives the archive what was written so far, or goes on from there with files that are still in their place.
+    void exchange_state(StateArchive& state);
 
   private:
     std::filesystem::path folder_;

@@ -1,9 +1,12 @@
 #include "scenarios/memory.hpp"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
+#include <limits>
 #include <string>
 
 #include "scenarios/resolve.hpp"
@@ -13,10 +16,10 @@ namespace waterlight {
 namespace {
 
 // Bytes a cell, a quarter above the peaks measured (docs/performance.md): the model's state and its surface, and four
-// elevations and depths that wait to be written.
-constexpr double linear_cell = 92;
-constexpr double airy_cell = 100;
-constexpr double shallow_water_cell = 260;
+// elevations and depths that wait to be written; and the state once more, of a checkpoint that waits.
+constexpr double linear_cell = 92 + 9;
+constexpr double airy_cell = 100 + 16;
+constexpr double shallow_water_cell = 260 + 29;
 constexpr double prescribed_cell = 60;
 // Bytes a pixel: landed samples, the map, four that wait to be written, a picture.
 constexpr double two_pass_pixel = 56;
@@ -78,9 +81,18 @@ MemoryEstimate estimate_memory(const Scenario& scenario) {
     return estimate;
 }
 
+/// What the process may still ask for, as `ulimit -v` limits it.
+static double address_space_left() {
+    rlimit limit{};
+    if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
+        return std::numeric_limits<double>::infinity();
+    const double used = number_in_file("/proc/self/statm", "") * static_cast<double>(::sysconf(_SC_PAGESIZE));
+    return std::max(0.0, static_cast<double>(limit.rlim_cur) - used);
+}
+
 double machine_memory() {
     constexpr double kib = 1024;
-    const double available = number_in_file("/proc/meminfo", "MemAvailable:") * kib;
+    const double available = std::min(number_in_file("/proc/meminfo", "MemAvailable:") * kib, address_space_left());
     const double limit = number_in_file("/sys/fs/cgroup/memory.max", "");
     return limit > 0 ? std::min(available, limit) : available;
 }

@@ -27,4 +27,7 @@ void check_combinations(const Scenario& scenario);
 /// InputError naming both where there is none.
 void find_data(Scenario& scenario);
 
+/// The files that find_data() found.
+std::vector<std::filesystem::path> data_files(const Scenario& scenario);
+
 }  // namespace waterlight

@@ -98,6 +98,7 @@ struct CameraSection {
 struct OutputSection {
     double every_s = 0.1;
     std::optional<double> probe_every_s;  ///< none: every_s
+    double checkpoint_every_s = 60;       ///< of wall time; 0: never
     std::vector<std::string> formats{"vti", "png"};
     std::vector<std::string> fields{"elevation", "velocity", "depth"};
     Compression compression = Compression::none;

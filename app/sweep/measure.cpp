@@ -40,9 +40,7 @@ class BareRun {
           floor_(scenario.floor ? make_floor_stage(scenario, waves_, backend) : nullptr) {}
 
     SettingTimes go(const std::vector<double>& judged_s, const Judge& judge) {
-        frame();
         std::size_t k = 0;
-        if (judge && judged_s.front() == 0) judge(k++, *surface_, floor_ ? &map_ : nullptr);
         for (const Moment& moment : moments_of(scenario_)) {
             if (!moment.is_frame) continue;
             for (; judge && k < judged_s.size() && judged_s[k] < moment.time_s * (1 - slack); ++k) {
@@ -51,7 +49,7 @@ class BareRun {
                 light(between);
                 judge(k, *surface_, floor_ ? &map_ : nullptr);
             }
-            advance(moment.time_s);
+            if (moment.time_s > now_s_) advance(moment.time_s);
             frame();
             if (judge && k < judged_s.size() && judged_s[k] <= moment.time_s * (1 + slack))
                 judge(k++, *surface_, floor_ ? &map_ : nullptr);
@@ -69,7 +67,7 @@ class BareRun {
     }
     void light(SettingTimes& times) {
         timed(times.waves, [&] { surface_ = &waves_.model->surface(); });
-        require_finite(*surface_);
+        require_finite(*surface_, waves_.model->steps());
         if (floor_) timed(times.floor, [&] { floor_->compute(*surface_, map_); });
     }
     void frame() {

@@ -69,7 +69,7 @@ Waves waves_of(Scenario scenario, const std::vector<double>& times_s) {
         waves.built.model->advance(time - now);
         now = time;
         waves.surfaces.push_back(copy_of(waves.built.model->surface()));
-        require_finite(waves.surfaces.back());
+        require_finite(waves.surfaces.back(), waves.built.model->steps());
     }
     return waves;
 }
