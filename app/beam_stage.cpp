@@ -168,6 +168,20 @@ BeamRecord BeamStage::record() const {
     return record;
 }
 
+void BeamStage::exchange_state(StateArchive& state) {
+    // All of them by name, so that one that is added cannot be forgotten here. The slices are those of the moments.
+    auto& [backend, last, sum, closure, discarded, last_reflected, sum_reflected, slices, flux_error, brightest,
+           sampled, mean, most, counts] = record_;
+    for (LightLedger* ledger : {&last, &sum}) state.value(*ledger);
+    for (BeamLedger* ledger : {&last_reflected, &sum_reflected}) state.value(*ledger);
+    for (double* value : {&closure, &discarded, &flux_error, &brightest, &sampled, &mean, &most}) state.value(*value);
+    state.value(counts);
+    state.list(moments_);
+    state.list(flashing_);
+    state.value(last_frame_s_);
+    slices.clear();
+}
+
 PointIrradiance BeamStage::irradiance_at(glm::dvec2 at_m, double depth_m) const {
     return waterlight::irradiance_at(beams_, {at_m, -depth_m});
 }

@@ -10,6 +10,7 @@
 #include "caustics/beam_renderer.hpp"
 #include "caustics/light_ledger.hpp"
 #include "scenarios/build.hpp"
+#include "sim/state_archive.hpp"
 
 namespace waterlight {
 
@@ -57,6 +58,8 @@ class BeamStage {
     BeamRecord record() const;
     /// Of the last frame taken into the record.
     const LightLedger& ledger() const { return record_.last_ledger; }
+    /// Gives the record so far to the archive, or takes it from there.
+    void exchange_state(StateArchive& state);
     /// At a place below still water, of the beams computed last.
     PointIrradiance irradiance_at(glm::dvec2 at_m, double depth_m) const;
 

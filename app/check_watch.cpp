@@ -92,6 +92,13 @@ void CheckWatch::require_references(const FrameFields& fields) const {
     }
 }
 
+void CheckWatch::exchange_state(StateArchive& state) {
+    for (Seen& seen : seen_) {
+        state.list(seen.times_s);
+        state.list(seen.values);
+    }
+}
+
 double CheckWatch::value_of(const Check& check, const Seen& seen) const {
     if (!is_series(check)) return taken_together(seen.values, check.over);
     if (check.quantity.ends_with(".significant_height")) return significant_height(seen.values);

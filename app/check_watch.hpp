@@ -23,6 +23,9 @@ class CheckWatch {
     /// Throws InputError where a file that a check refers to does not fit the run, of which this is any frame.
     void require_references(const FrameFields& fields) const;
 
+    /// Gives what was kept so far to the archive, or takes it from there.
+    void exchange_state(StateArchive& state);
+
     /// One for each check, in their order; NaN where the run has none.
     std::vector<double> values() const;
 

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <limits>
 
+#include "app/exact_surface.hpp"
 #include "app/lit_mapper.hpp"
 #include "app/readings.hpp"
 #include "caustics/beam_renderer_vulkan.hpp"
@@ -65,17 +66,7 @@ class TruthStage final : public FloorStage {
     }
 
   private:
-    TruthSurface exact(const Surface& surface) const {
-        TruthSurface smooth = interpolate(surface);
-        if (!formula_) return smooth;
-        smooth.at = [this, &surface](glm::dvec2 at_m) {
-            const Grid& g = surface.grid;
-            const bool still = beyond(surface.boundary.x, g.x0_m, g.width_m(), at_m.x) ||
-                               beyond(surface.boundary.y, g.y0_m, g.height_m(), at_m.y);
-            return still ? SurfacePoint{} : formula_->at(at_m, surface.time_s);
-        };
-        return smooth;
-    }
+    TruthSurface exact(const Surface& surface) const { return exact_surface(surface, formula_); }
 
     TruthSettings settings_;
     const SurfaceFormula* formula_;

@@ -1,5 +1,5 @@
 // The command line. The only place that turns an error into an exit: 0 done, 1 a check failed, 2 the scenario or the
-// command line is wrong, 3 the world failed.
+// command line is wrong, 3 the world failed, 128 + N stopped by signal N.
 #include <fmt/format.h>
 #include <omp.h>
 #include <unistd.h>
@@ -14,6 +14,9 @@
 #include "app/devices.hpp"
 #include "app/explain.hpp"
 #include "app/run.hpp"
+#include "app/signals.hpp"
+#include "app/sweep/command.hpp"
+#include "app/sweep/sweep.hpp"
 #include "app/version.hpp"
 #include "gpu/error.hpp"
 #include "scenarios/document.hpp"
@@ -28,6 +31,7 @@ enum ExitCode { done = 0, check_failed = 1, wrong_input = 2, world_failed = 3 };
 struct Arguments {
     RunOptions run;
     CheckOptions check;
+    SweepOptions sweep;
     std::string backend = "auto";
     int threads = 0;
     bool json = false;
@@ -56,6 +60,7 @@ void add_run(CLI::App& program, Arguments& args) {
         ->type_name("N");
     run->add_flag("--validate", args.run.device.validation,
                   "Vulkan with its validation layer; a message of it fails the run");
+    run->add_flag("--resume", args.run.resume, "Go on from the checkpoint that an interrupted run left in DIR");
     run->add_flag("--quiet", args.run.quiet, "Say nothing but errors and failed checks");
 }
 
@@ -132,7 +137,13 @@ int execute(const CLI::App& program, Arguments& args) {
         fmt::print("{}", explain_scenario(args.run.scenario, args.run.overrides));
         return done;
     }
+    if (program.got_subcommand("sweep")) {
+        if (args.sweep.threads > 0) omp_set_num_threads(args.sweep.threads);
+        return sweep(args.sweep) ? done : check_failed;
+    }
     if (args.threads > 0) omp_set_num_threads(args.threads);
+    catch_stop_signals();
+    args.run.stop_signal = stop_signal;
     return run_scenario(args.run) ? done : check_failed;
 }
 
@@ -141,13 +152,15 @@ int parse_and_execute(int argc, char** argv) {
     Arguments args;
     program.footer(
         "Example:\n  waterlight run scenarios/pool.toml\n\n"
-        "Exit: 0 done; 1 a check failed; 2 the scenario or the command line is wrong; 3 the world failed.");
+        "Exit: 0 done; 1 a check failed; 2 the scenario or the command line is wrong; 3 the world failed; "
+        "130 or 143 stopped by SIGINT or SIGTERM.");
     program.set_version_flag("--version", std::string("waterlight ") + version);
     program.require_subcommand(1);
     args.check.program = argv[0];
     add_run(program, args);
     add_explain(program, args);
     add_check(program, args);
+    add_sweep(program, args.sweep);
     add_schema(program, args);
     program.add_subcommand("devices", "List the devices that can compute, and why one is chosen")
         ->footer("Example:\n  waterlight devices");
@@ -178,6 +191,9 @@ int main(int argc, char** argv) {
     } catch (const InputError& error) {
         fmt::print(stderr, "waterlight: {}\n", error.what());
         return wrong_input;
+    } catch (const Interrupted& interrupted) {
+        fmt::print(stderr, "waterlight: stopped by {}\n", interrupted.text);
+        return 128 + interrupted.signal;
     } catch (const std::bad_alloc&) {
         fmt::print(stderr, "waterlight: out of memory\n");
     } catch (const std::exception& error) {

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <regex>
+#include <sstream>
 
 #include "app/ledger_table.hpp"
+#include "export/checkpoint_file.hpp"
 #include "export/colour_picture.hpp"
 #include "export/exr.hpp"
 #include "export/frames.hpp"
@@ -86,41 +87,6 @@ Surface copy_of(const Surface& surface, const OutputSection& settings, double st
     return copy;
 }
 
-fs::path made_folder(fs::path folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) throw WorldError(fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
-    return folder;
-}
-
-/// Names that only a run of ours gives to files.
-constexpr const char* our_names =
-    "(surface|floor|volume|walls)\\.pvd|walls/(west|east|south|north)_[0-9]{6,}\\.vti|(surface/surface|floor/"
-    "floor|volume/volume)_[0-9]{6,}\\.vti|"
-    "images/"
-    "(elevation|irradiance|radiance|colour|wall_(west|east|south|north))(16)?_[0-9]{6,}\\.(png|exr)|(probes|ledger)\\."
-    "csv|extremes\\.vti|runup\\."
-    "csv";
-
-void remove_stale(const fs::path& folder, const std::set<fs::path>& written) {
-    const std::regex ours(our_names);
-    const auto is_ours = [&](const fs::path& path) {
-        return std::regex_match(path.lexically_relative(folder).generic_string(), ours);
-    };
-    std::vector<fs::path> stale;
-    for (const fs::path& sub :
-         {folder, folder / "surface", folder / "floor", folder / "volume", folder / "walls", folder / "images"}) {
-        std::error_code ignored;
-        for (const fs::directory_entry& entry : fs::directory_iterator(sub, ignored))
-            if (is_ours(entry.path()) && !written.contains(entry.path())) stale.push_back(entry.path());
-    }
-    for (const fs::path& path : stale) {
-        std::error_code error;
-        fs::remove(path, error);
-        if (error) throw WorldError(fmt::format("cannot remove {}: {}", path.string(), error.message()));
-    }
-}
-
 }  // namespace
 
 std::size_t FrameFiles::bytes() const {
@@ -131,11 +97,13 @@ std::size_t FrameFiles::bytes() const {
     for (const Field<float>& wall : walls) count += wall.size();
     for (const BandFiles& band : bands) count += band.irradiance.size();
     count += plane_irradiance.size() + scalar_irradiance.size() + radiance.size();
+    count += floor_error.size() + waves_error.size();
     return count * sizeof(float);
 }
 
-Outputs::Outputs(fs::path folder, const Scenario& scenario, double still_irradiance)
-    : folder_(made_folder(std::move(folder))),
+Outputs::Outputs(const RunFolder& folder, const Scenario& scenario, double still_irradiance, StateArchive* state)
+    : place_(folder),
+      folder_(folder.path()),
       settings_(scenario.output),
       depth_m_(scenario.domain.depth_m),
       wet_m_(scenario.waves.wet_m.value_or(ShallowWaterSettings{}.wet_m)),
@@ -150,14 +118,58 @@ Outputs::Outputs(fs::path folder, const Scenario& scenario, double still_irradia
       radiance_decades_(scenario.camera ? scenario.camera->radiance_decades : std::nullopt) {
     if (scenario.floor) plan_ = floor_settings(scenario).plan;
     if (scenario.walls) walls_ = wall_settings(scenario);
-    if (const std::vector<std::string> ledgers = columns_of_ledgers(scenario); !ledgers.empty()) {
-        ledgers_.emplace(folder_ / "ledger.csv", ledgers);
-        written_.insert(folder_ / "ledger.csv");
-    }
-    if (scenario.probes.empty()) return;
-    const std::vector<std::string> columns = probe_columns(scenario);
-    probes_.emplace(folder_ / "probes.csv", columns);
-    written_.insert(folder_ / "probes.csv");
+    if (state) exchange_state(*state);
+    const auto open = [&](std::optional<ProbeTable>& table, const char* name, const std::vector<std::string>& columns,
+                          std::uint64_t bytes) {
+        if (state)
+            table.emplace(folder_ / name, columns, bytes);
+        else
+            table.emplace(folder_ / name, columns);
+        written_.insert(folder_ / name);
+    };
+    if (const std::vector<std::string> ledgers = columns_of_ledgers(scenario); !ledgers.empty())
+        open(ledgers_, "ledger.csv", ledgers, ledger_bytes_);
+    if (!scenario.probes.empty()) open(probes_, "probes.csv", probe_columns(scenario), probe_bytes_);
+}
+
+void Outputs::exchange_state(StateArchive& state) {
+    for (VtiSeries* series : {&surface_series_, &floor_series_, &volume_series_, &walls_series_})
+        series->exchange_state(state);
+    state.value(frame_);
+    state.value(elevation_range_);
+    state.value(radiance_so_far_);
+    if (probes_) probe_bytes_ = probes_->size();
+    state.value(probe_bytes_);
+    if (ledgers_) ledger_bytes_ = ledgers_->size();
+    state.value(ledger_bytes_);
+    std::string names;
+    for (const fs::path& path : written_) names += path.lexically_relative(folder_).generic_string() + '\n';
+    state.text(names);
+    if (!state.restores()) return;
+    std::istringstream lines(names);
+    for (std::string name; std::getline(lines, name);) written_.insert(folder_ / name);
+    require_written();
+    state.value(checkpoint_s_.emplace());
+}
+
+void Outputs::require_written() const {
+    for (const fs::path& path : written_)
+        if (std::error_code error; !fs::exists(path, error) && !error)
+            throw WorldError(fmt::format("{} was written by this run and is gone", path.string()));
+}
+
+template <class Job>
+void Outputs::push_job(std::size_t bytes, Job job) {
+    queue_.push(bytes, [this, job = std::move(job)]() mutable {
+        place_.require_present();
+        try {
+            job();
+        } catch (const WorldError&) {
+            // That the folder vanished meanwhile says more.
+            place_.require_present();
+            throw;
+        }
+    });
 }
 
 void Outputs::push(const FrameView& view, std::vector<double> probes) {
@@ -176,23 +188,35 @@ void Outputs::push(const FrameView& view, std::vector<double> probes) {
         frame.scalar_irradiance = view.volume->scalar_irradiance.clone();
     }
     if (view.picture) frame.radiance = view.picture->radiance.clone();
+    if (view.floor_error && settings_.wants("vti")) frame.floor_error = view.floor_error->clone();
+    if (view.waves_error && settings_.wants("vti")) frame.waves_error = view.waves_error->clone();
     const bool pictures = settings_.wants("png") || settings_.wants("png16");
     if (pictures && surface.depth) frame.shown = wet_part(surface, wet_m_);
     frame.probes = std::move(probes);
     frame.ledgers = ledger_row(view.ledgers);
     const std::size_t bytes = frame.bytes();
-    queue_.push(bytes, [this, frame = std::move(frame)] { write(frame); });
+    push_job(bytes, [this, frame = std::move(frame)] { write(frame); });
 }
 
 void Outputs::push_row(double time_s, std::vector<double> probes) {
     const std::size_t bytes = probes.size() * sizeof(double);
-    queue_.push(bytes, [this, time_s, probes = std::move(probes)] { probes_->append(time_s, probes); });
+    push_job(bytes, [this, time_s, probes = std::move(probes)] { probes_->append(time_s, probes); });
+}
+
+void Outputs::push_checkpoint(double time_s, StateArchive state) {
+    const std::size_t bytes = state.bytes();
+    push_job(bytes, [this, time_s, state = std::move(state)]() mutable {
+        exchange_state(state);
+        state.value(time_s);
+        write_checkpoint(folder_ / checkpoint_name, state.parts());
+        checkpoint_s_ = time_s;
+    });
 }
 
 void Outputs::push_end(const Grid& grid, double time_s, const Field<float>& bed_m, const ShallowRecords& records,
                        std::vector<RunupLine> lines) {
     has_end_ = true;
-    queue_.push(0, [&, this, time_s, lines = std::move(lines)] {
+    push_job(0, [&, this, time_s, lines = std::move(lines)] {
         write_runup(folder_ / "runup.csv", lines);
         written_.insert(folder_ / "runup.csv");
         const VtiFrame extremes = extremes_frame(grid, time_s, bed_m, records, settings_.fields);
@@ -207,22 +231,26 @@ void Outputs::write_fields(const FrameFiles& frame) {
     VtiFrame fields = surface_frame(frame.surface);
     if (!frame.surface.slope_x.empty())
         fields.arrays.push_back({"slope", {frame.surface.slope_x.values(), frame.surface.slope_y.values(), {}}});
-    written_.insert(surface_series_.write(fields));
-    written_.insert(folder_ / "surface.pvd");
+    if (!frame.waves_error.empty()) fields.arrays.push_back({"error", {frame.waves_error.values()}});
+    add_to(surface_series_, "surface.pvd", fields);
     if (plan_) {
-        VtiFrame floor = floor_frame(*plan_, depth_m_, time_s, frame.irradiance);
+        VtiFrame map = floor_frame(*plan_, depth_m_, time_s, frame.irradiance);
         for (const BandFiles& band : frame.bands)
-            floor.arrays.push_back({fmt::format("irradiance_{}nm", band.wavelength_nm), {band.irradiance.values()}});
-        written_.insert(floor_series_.write(floor));
-        written_.insert(folder_ / "floor.pvd");
+            map.arrays.push_back({fmt::format("irradiance_{}nm", band.wavelength_nm), {band.irradiance.values()}});
+        if (!frame.floor_error.empty()) map.arrays.push_back({"error", {frame.floor_error.values()}});
+        add_to(floor_series_, "floor.pvd", map);
     }
-    if (has_volume_) {
-        written_.insert(
-            volume_series_.write(volume_frame({frame.surface.grid, frame.volume_depth_m, time_s}, frame.volume_cells,
-                                              frame.plane_irradiance, frame.scalar_irradiance)));
-        written_.insert(folder_ / "volume.pvd");
-    }
+    if (has_volume_)
+        add_to(volume_series_, "volume.pvd",
+               volume_frame({frame.surface.grid, frame.volume_depth_m, time_s}, frame.volume_cells,
+                            frame.plane_irradiance, frame.scalar_irradiance));
     if (walls_) write_walls(frame);
+}
+
+void Outputs::add_to(VtiSeries& series, const char* name, const VtiFrame& frame) {
+    place_.require_present();
+    written_.insert(series.write(frame));
+    written_.insert(folder_ / name);
 }
 
 void Outputs::write_walls(const FrameFiles& frame) {
@@ -234,6 +262,7 @@ void Outputs::write_walls(const FrameFiles& frame) {
         const WallPlan plan = wall_plan(*walls_, water.grid, wall);
         parts.push_back({std::string(wall_names[static_cast<std::size_t>(wall)]), wall_frame(water, wall, plan, map)});
     }
+    place_.require_present();
     for (const fs::path& path : walls_series_.write_parts(parts)) written_.insert(path);
     written_.insert(folder_ / "walls.pvd");
 }
@@ -250,6 +279,7 @@ void Outputs::write(const FrameFiles& frame) {
 }
 
 fs::path Outputs::image(const std::string& name, const char* extension) {
+    place_.require_present();
     fs::path path = folder_ / "images" / fmt::format("{}_{:06}.{}", name, frame_, extension);
     written_.insert(path);
     return path;
@@ -343,9 +373,24 @@ void Outputs::write_exrs(const FrameFiles& frame) {
     if (plan_) write_exr(image("irradiance", "exr"), frame.irradiance, {"irradiance", "W/m2", time_s, plan_->pitch_m});
 }
 
-void Outputs::finish() {
+void Outputs::settle() {
     queue_.finish();
-    remove_stale(folder_, written_);
+    place_.require_present();
+    require_written();
+}
+
+void Outputs::finish() {
+    settle();
+    place_.remove_stale(written_);
+}
+
+std::optional<double> Outputs::last_checkpoint_s() {
+    try {
+        queue_.finish();
+    } catch (const std::exception&) {
+        // A run that fails has its reason already.
+    }
+    return checkpoint_s_;
 }
 
 std::vector<std::string> Outputs::guide() const {

@@ -1,6 +1,7 @@
 // The files of a run: which there are, and who writes them.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/run_folder.hpp"
 #include "caustics/beam_image.hpp"
 #include "caustics/beam_volume.hpp"
 #include "caustics/light_ledger.hpp"
@@ -31,6 +33,8 @@ struct FrameView {
     const FloorMap* floor = nullptr;
     const BeamVolume* volume = nullptr;
     const BeamImage* picture = nullptr;
+    const Field<float>* floor_error = nullptr;  ///< of the irradiance, W/m2
+    const Field<float>* waves_error = nullptr;  ///< of the elevation, m
     const WallMaps* walls = nullptr;
     std::span<const BandMap> bands = {};    ///< of light in colour
     std::vector<LightLedger> ledgers = {};  ///< of the floor map, the beams and the walls, those there are
@@ -53,6 +57,7 @@ struct FrameFiles {
     double volume_depth_m = 1;
     Field<float> plane_irradiance, scalar_irradiance;  ///< in the water; empty without fields
     Field<float> radiance;                             ///< empty without a camera
+    Field<float> floor_error, waves_error;             ///< empty without an estimate
     std::vector<double> probes;
     std::vector<double> ledgers;  ///< a row of ledger.csv
 
@@ -62,28 +67,44 @@ struct FrameFiles {
 /// Writes frames into a folder beside the computation. Throws WorldError, then or with a later call.
 class Outputs {
   public:
-    /// Makes the folder. `still_irradiance` (W/m2) is that of flat water.
-    Outputs(std::filesystem::path folder, const Scenario& scenario, double still_irradiance);
+    /// `still_irradiance` (W/m2) is that of flat water. `state` is what a checkpoint kept, or null: from there it goes
+    /// on with the files that are in the folder.
+    Outputs(const RunFolder& folder, const Scenario& scenario, double still_irradiance, StateArchive* state);
 
     /// Copies what it needs and returns; waits only while the queue is full.
     void push(const FrameView& view, std::vector<double> probes);
     /// Between frames: a row of probes.csv.
     void push_row(double time_s, std::vector<double> probes);
+    /// Writes a checkpoint of `state` and of what was written before, once that is written. There are more frames.
+    void push_checkpoint(double time_s, StateArchive state);
     /// At the end: how far the water came, and extremes.vti where the scenario asks for it. Borrows the fields until
     /// finish().
     void push_end(const Grid& grid, double time_s, const Field<float>& bed_m, const ShallowRecords& records,
                   std::vector<RunupLine> lines);
-    /// Waits until all is written, then removes what an earlier, longer run left under names of ours.
+    /// Waits until all is written and makes sure that it is still there.
+    void settle();
+    /// The same, then removes what an earlier, longer run left under names of ours.
     void finish();
+
+    /// The simulated time of the checkpoint that is there, if any. Waits until all is written, whatever fails.
+    std::optional<double> last_checkpoint_s();
 
     double busy_s() const { return queue_.busy_s(); }
     double blocked_s() const { return queue_.blocked_s(); }
     /// One line for each kind of file written: where it is and what opens it.
     std::vector<std::string> guide() const;
 
+    static constexpr const char* checkpoint_name = "checkpoint.bin";
+
   private:
+    template <class Job>
+    void push_job(std::size_t bytes, Job job);
+    /// What goes on from frame to frame.
+    void exchange_state(StateArchive& state);
+    void require_written() const;
     void write(const FrameFiles& frame);
     void write_fields(const FrameFiles& frame);
+    void add_to(VtiSeries& series, const char* name, const VtiFrame& frame);
     void write_pictures(const FrameFiles& frame);
     void write_walls(const FrameFiles& frame);
     void write_wall_pictures(const FrameFiles& frame);
@@ -95,6 +116,7 @@ class Outputs {
     ValueRange elevation_range(const FrameFiles& frame);
     std::filesystem::path image(const std::string& name, const char* extension);
 
+    const RunFolder& place_;
     std::filesystem::path folder_;
     OutputSection settings_;
     std::optional<FloorPlan> plan_;
@@ -113,7 +135,9 @@ class Outputs {
     std::optional<double> radiance_decades_;
     double radiance_so_far_ = 0;
     std::optional<ProbeTable> probes_;
-    std::optional<ProbeTable> ledgers_;  ///< where light is followed
+    std::optional<ProbeTable> ledgers_;                 ///< where light is followed
+    std::uint64_t probe_bytes_ = 0, ledger_bytes_ = 0;  ///< of both, at the checkpoint
+    std::optional<double> checkpoint_s_;
     bool has_end_ = false;
     int frame_ = 0;
     std::set<std::filesystem::path> written_;

@@ -19,10 +19,11 @@ std::string duration_text(double seconds) {
 
 }  // namespace
 
-Progress::Progress(std::FILE* stream, int total, bool quiet)
+Progress::Progress(std::FILE* stream, int total, bool quiet, std::string_view unit)
     : stream_(stream),
       total_(total),
       quiet_(quiet),
+      unit_(unit),
       is_terminal_(isatty(fileno(stream)) != 0),
       start_(Clock::now()),
       last_(start_) {}
@@ -45,12 +46,12 @@ void Progress::show(int done) {
     const double fraction = static_cast<double>(done) / total_;
     const std::string left = duration_text(elapsed * (total_ - done) / std::max(done, 1));
     if (!is_terminal_) {
-        fmt::print(stream_, "frame {} of {} ({:.0f} %), {} left\n", done, total_, 100 * fraction, left);
+        fmt::print(stream_, "{} {} of {} ({:.0f} %), {} left\n", unit_, done, total_, 100 * fraction, left);
     } else {
         constexpr int width = 40;
         const int filled = static_cast<int>(width * fraction);
-        fmt::print(stream_, "\r\033[K[{:=<{}}{:<{}}] {:3.0f} %  frame {}/{}  {} left", "", filled, "", width - filled,
-                   100 * fraction, done, total_, left);
+        fmt::print(stream_, "\r\033[K[{:=<{}}{:<{}}] {:3.0f} %  {} {}/{}  {} left", "", filled, "", width - filled,
+                   100 * fraction, unit_, done, total_, left);
         is_drawn_ = true;
     }
     std::fflush(stream_);

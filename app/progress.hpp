@@ -9,8 +9,8 @@ namespace waterlight {
 
 class Progress {
   public:
-    /// Writes to `stream` unless quiet. total > 0 frames.
-    Progress(std::FILE* stream, int total, bool quiet);
+    /// Writes to `stream` unless quiet. total > 0 frames, or what `unit` calls them (a literal).
+    Progress(std::FILE* stream, int total, bool quiet, std::string_view unit = "frame");
     /// Clears the bar.
     ~Progress();
     Progress(const Progress&) = delete;
@@ -27,6 +27,7 @@ class Progress {
     std::FILE* stream_;
     int total_;
     bool quiet_;
+    std::string_view unit_;
     bool is_terminal_;
     bool is_drawn_ = false;
     Clock::time_point start_;

@@ -114,6 +114,10 @@ std::map<std::string, double> quantities_of(const RunRecord& r) {
         q["floor.ledger_closure"] = r.floor->closure;
         q["floor.truth_error"] = r.floor->truth_error;
     }
+    if (r.accuracy) {
+        q["accuracy.floor.estimated_rmse"] = r.accuracy->floor_rmse;
+        q["accuracy.waves.estimated_rmse"] = r.accuracy->waves_rmse;
+    }
     if (r.beams) add_beams(*r.beams, q);
     if (r.walls) add_walls(*r.walls, q);
     for (const auto& [name, probe] : r.probes) {

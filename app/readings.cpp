@@ -35,22 +35,28 @@ double elevation_at(const Surface& surface, glm::dvec2 at_m) {
     return interpolate(surface).at(at_m).elevation_m;
 }
 
-void require_finite(const Surface& surface) {
-    const int nx = surface.grid.nx;
-    for (int j = 0; j < surface.grid.ny; ++j) {
-        const float *e = surface.elevation.row(j), *x = surface.slope_x.row(j), *y = surface.slope_y.row(j);
+void require_finite(std::string_view name, const Field<float>& field, const Instant& when) {
+    for (int j = 0; j < field.ny(); ++j) {
+        const float* row = field.row(j);
         // Zero but for what is not finite.
         float sum = 0;
 #pragma omp simd reduction(+ : sum)
-        for (int i = 0; i < nx; ++i) sum += (e[i] - e[i]) + (x[i] - x[i]) + (y[i] - y[i]);
+        for (int i = 0; i < field.nx(); ++i) sum += row[i] - row[i];
         if (sum == 0) continue;
-        const auto bad = [&](int i) { return !std::isfinite(e[i]) || !std::isfinite(x[i]) || !std::isfinite(y[i]); };
-        int i = 0;
-        while (!bad(i)) ++i;
-        throw WorldError(
-            fmt::format("the surface is not finite at t = {} s, first in cell ({}, {}): elevation {}, slope ({}, {})",
-                        surface.time_s, i, j, e[i], x[i], y[i]));
+        const auto i = std::find_if(row, row + field.nx(), [](float v) { return !std::isfinite(v); }) - row;
+        throw WorldError(fmt::format("the {} is not finite: {} in cell ({}, {}) at t = {:.9g} s, step {}", name, row[i],
+                                     i, j, when.time_s, when.step));
     }
+}
+
+void require_finite(const Surface& surface, std::int64_t step) {
+    const Instant now{surface.time_s, step};
+    require_finite("elevation", surface.elevation, now);
+    require_finite("slope along x", surface.slope_x, now);
+    require_finite("slope along y", surface.slope_y, now);
+    if (surface.velocity_x) require_finite("velocity along x", *surface.velocity_x, now);
+    if (surface.velocity_y) require_finite("velocity along y", *surface.velocity_y, now);
+    if (surface.depth) require_finite("depth of the water", *surface.depth, now);
 }
 
 double pixel_at(const FloorPlan& plan, const Field<float>& irradiance, glm::dvec2 at_m) {

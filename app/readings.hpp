@@ -1,7 +1,9 @@
 // What is read off each frame: gauges, and statistics of the floor map.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec2.hpp>
+#include <string_view>
 
 #include "caustics/floor.hpp"
 #include "sim/surface.hpp"
@@ -12,8 +14,16 @@ namespace waterlight {
 /// interpolation would cut crests by a twelfth at eight cells a wave. Beside dry ground, that of the cell itself.
 double elevation_at(const Surface& surface, glm::dvec2 at_m);
 
-/// Throws WorldError naming time and cell where elevation or slope is not a finite number.
-void require_finite(const Surface& surface);
+/// When in a run.
+struct Instant {
+    double time_s = 0;
+    std::int64_t step = 0;
+};
+
+/// Throws WorldError naming field, cell, time and step where a value is not a finite number.
+void require_finite(std::string_view name, const Field<float>& field, const Instant& when);
+/// All fields of the surface.
+void require_finite(const Surface& surface, std::int64_t step);
 
 /// Irradiance (W/m2) of the pixel that holds a place on the floor; NaN beyond the map.
 double pixel_at(const FloorPlan& plan, const Field<float>& irradiance, glm::dvec2 at_m);

@@ -13,6 +13,16 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
+/// All of them by name, so that one that is added cannot be forgotten here.
+void exchange(StateArchive& state, ProbeRecord& probe) {
+    auto& [elevation, least, most, squares, frames, irradiance, most_irradiance, scalar, series, arrival] = probe;
+    for (double* value : {&elevation, &least, &most, &squares, &irradiance, &most_irradiance, &scalar, &arrival})
+        state.value(*value);
+    state.value(frames);
+    state.list(series.time_s);
+    state.list(series.irradiance_w_m2);
+}
+
 }  // namespace
 
 Recorder::Recorder(const Scenario& scenario)
@@ -81,6 +91,24 @@ std::vector<double> Recorder::add_probes(const Surface& surface, const std::func
         if (probe.depth_m) columns.push_back(now.scalar_w_m2);
     }
     return columns;
+}
+
+void Recorder::exchange_state(StateArchive& state) {
+    state.value(conserved_j_);
+    state.value(watched_);
+    state.value(record_.frames);
+    state.value(record_.simulated_s);
+    state.value(record_.wall);
+    WaveRecord& waves = record_.waves;
+    state.value(waves.first);
+    state.value(waves.last);
+    state.value(waves.mass_drift_m);
+    state.value(waves.energy_drift);
+    if (scenario_.floor) {
+        if (!record_.floor) record_.floor.emplace();
+        state.value(*record_.floor);
+    }
+    for (const Probe& probe : scenario_.probes) exchange(state, record_.probes[probe.name]);
 }
 
 }  // namespace waterlight

@@ -25,6 +25,9 @@ class Recorder {
 
     RunRecord& record() { return record_; }
 
+    /// Gives what was kept so far to the archive, or takes it from there.
+    void exchange_state(StateArchive& state);
+
   private:
     const Scenario& scenario_;
     RunRecord record_;

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <omp.h>
 
-#include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "app/hash.hpp"
 #include "app/version.hpp"
 #include "scenarios/resolve.hpp"
 
@@ -14,20 +14,6 @@ namespace waterlight {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// FNV-1a, 64 bits (Fowler, Noll, Vo), over the scenario's text and its overrides.
-std::string hash_of(const Origin& origin) {
-    std::uint64_t hash = 14695981039346656037U;
-    const auto add = [&hash](std::string_view bytes) {
-        for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
-    };
-    add(origin.text);
-    for (const std::string& override : origin.overrides) {
-        add("\n");
-        add(override);
-    }
-    return fmt::format("fnv1a64:{:016x}", hash);
-}
 
 Json ledger_json(const LightLedger& l) {
     return {{"incident_w", l.incident_w}, {"entered_w", l.entered_w},     {"reflected_w", l.reflected_w},
@@ -148,6 +134,7 @@ Json wall_json(const StageTimes& wall) {
             {"caustics.floor", wall.floor},
             {"caustics.beams", wall.beams},
             {"caustics.walls", wall.walls},
+            {"accuracy", wall.accuracy},
             {"render", 0.0},
             {"export", wall.export_busy},
             {"export_waited", wall.export_blocked},
@@ -168,6 +155,16 @@ Json checks_json(const std::vector<CheckResult>& checks) {
 }
 
 }  // namespace
+
+std::string hash_of(const Origin& origin) {
+    Hash hash;
+    hash.add(origin.text);
+    for (const std::string& override : origin.overrides) {
+        hash.add("\n");
+        hash.add(override);
+    }
+    return fmt::format("fnv1a64:{:016x}", hash.value());
+}
 
 nlohmann::ordered_json report_json(const Scenario& scenario, const BackendDecision& backend, const RunRecord& record,
                                    const std::vector<CheckResult>& checks) {
@@ -199,6 +196,9 @@ nlohmann::ordered_json report_json(const Scenario& scenario, const BackendDecisi
         json["floor"] =
             floor_json(*record.floor, scenario.floor->method, scenario.floor->on.receiver == Receiver::ground);
     }
+    if (record.accuracy)
+        json["accuracy"] = {{"floor", {{"estimated_rmse", record.accuracy->floor_rmse}}},
+                            {"waves", {{"estimated_rmse", record.accuracy->waves_rmse}}}};
     if (record.beams) json["beams"] = beams_json(*record.beams, scenario, record.frames);
     if (record.walls) {
         const WallRecord& walls = *record.walls;

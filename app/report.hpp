@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/accuracy_stage.hpp"
 #include "app/beam_stage.hpp"
 #include "app/flashes.hpp"
 #include "app/floor_stage.hpp"
@@ -26,6 +27,7 @@ struct StageTimes {
     double floor = 0;
     double beams = 0;
     double walls = 0;
+    double accuracy = 0;
     double diagnostics = 0;
     double export_busy = 0;     ///< of the thread that writes
     double export_blocked = 0;  ///< that computing waited for it
@@ -92,6 +94,7 @@ struct RunRecord {
     WaveRecord waves;
     std::optional<FloorRecord> floor;
     std::optional<BeamRecord> beams;
+    std::optional<AccuracyRecord> accuracy;
     std::optional<WallRecord> walls;
     std::optional<SeaRecord> sea;
     std::optional<ShallowRecord> shallow;
@@ -100,6 +103,9 @@ struct RunRecord {
 
 /// Value by the names of scenarios/quantities.hpp; what the run does not have is not a number.
 std::map<std::string, double> quantities_of(const RunRecord& record);
+
+/// FNV-1a, 64 bits (Fowler, Noll, Vo), over the scenario's text and its overrides.
+std::string hash_of(const Origin& origin);
 
 /// The report of DESIGN's contract.
 nlohmann::ordered_json report_json(const Scenario& scenario, const BackendDecision& backend, const RunRecord& record,

@@ -5,20 +5,25 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <iterator>
+#include <csignal>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "app/beam_stage.hpp"
 #include "app/check_watch.hpp"
+#include "app/checkpoint.hpp"
+#include "app/moments.hpp"
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/readings.hpp"
 #include "app/recorder.hpp"
+#include "app/run_folder.hpp"
 #include "app/shallow_watch.hpp"
 #include "app/wall_stage.hpp"
 #include "caustics/kernels/optics.hpp"
+#include "export/checkpoint_file.hpp"
 #include "export/report.hpp"
+#include "gpu/error.hpp"
 #include "scenarios/build.hpp"
 #include "scenarios/reader.hpp"
 #include "scenarios/resolve_light.hpp"
@@ -53,49 +58,6 @@ double still_irradiance(const Scenario& s) {
     return sum;
 }
 
-constexpr double slack = 1e-9;  // of an interval: a duration that is a multiple but for rounding
-
-/// Times after the start: `every` apart, the last at the end.
-std::vector<double> times_of(double every, double duration) {
-    const int whole = static_cast<int>(std::floor(duration / every + slack));
-    std::vector<double> times;
-    for (int i = 1; i <= whole; ++i) times.push_back(i * every);
-    if (duration - whole * every > slack * every) times.push_back(duration);
-    return times;
-}
-
-/// A time at which the run stops to look: a frame, or the probes alone.
-struct Moment {
-    double time_s = 0;
-    bool is_frame = true;
-};
-
-/// After the start, in order; frames every_s apart, the last at duration_s, and where checks look.
-std::vector<Moment> moments_of(const Scenario& s) {
-    const double duration = s.waves.duration_s, every = s.output.probe_every_s.value_or(s.output.every_s);
-    std::vector<double> times = times_of(s.output.every_s, duration);
-    for (const double checked : checked_times(s)) {
-        const double room = slack * s.output.every_s;
-        const auto next = std::lower_bound(times.begin(), times.end(), checked - room);
-        const bool is_there = checked <= room || (next != times.end() && *next <= checked + room);
-        if (!is_there) times.insert(next, checked);
-    }
-    std::vector<Moment> moments;
-    for (const double time : times) moments.push_back({time, true});
-    if (!s.output.probe_every_s || s.probes.empty()) return moments;
-    std::vector<Moment> rows;
-    std::size_t frame = 0;
-    for (const double time : times_of(every, duration)) {
-        while (frame < moments.size() && moments[frame].time_s < time - slack * every) ++frame;
-        const bool coincides = frame < moments.size() && moments[frame].time_s <= time + slack * every;
-        if (!coincides) rows.push_back({time, false});
-    }
-    std::vector<Moment> all;
-    std::merge(rows.begin(), rows.end(), moments.begin(), moments.end(), std::back_inserter(all),
-               [](const Moment& a, const Moment& b) { return a.time_s < b.time_s; });
-    return all;
-}
-
 /// What a part of the program refuses, with the place of the section that asked for it.
 template <class Work>
 auto for_section(const Scenario& s, std::string_view section, Work work) {
@@ -117,64 +79,188 @@ class Run {
           waves_(for_section(scenario, "waves", [&] { return build_model(scenario, backend_.context); })),
           floor_(scenario.floor ? make_floor_stage(scenario, waves_, backend_) : nullptr),
           recorder_(scenario),
-          checks_(scenario) {
+          checks_(scenario),
+          moments_(moments_of(scenario)) {
         if (scenario.beams)
             for_section(scenario, "caustics.beams",
                         [&] { beams_.emplace(scenario, waves_, make_beam_renderer(backend_)); });
         if (scenario.walls) walls_.emplace(scenario);
+        if (scenario.accuracy.estimate) accuracy_.emplace(scenario, waves_, backend_);
     }
 
     bool go() {
-        const Clock::time_point start = Clock::now();
-        const std::vector<Moment> moments = moments_of(scenario_);
+        const bool goes_on = options_.resume && fs::exists(checkpoint());
         // The first frame is computed before a file is written: what is wrong with the scenario shows by then.
-        for_section(scenario_, "caustics", [this] { compute(); });
-        checks_.require_references(fields());
-        fs::create_directories(out_);
-        fs::remove(out_ / "report.json");
-        if (waves_.shallow) shallow_.emplace(scenario_, *waves_.shallow, *surface_);
-        Outputs outputs(out_, scenario_, still_irradiance(scenario_));
-        {
-            const auto is_frame = [](const Moment& moment) { return moment.is_frame; };
-            const int frames = 1 + static_cast<int>(std::count_if(moments.begin(), moments.end(), is_frame));
-            Progress progress(stderr, frames, options_.quiet);
-            watch_every_ = (frames + watched_frames - 1) / watched_frames;
-            record(0, frames == 1, outputs);
-            double now = 0;
-            for (const Moment& moment : moments) {
-                timed(wall().waves, [&] { waves_.model->advance(moment.time_s - now); });
-                now = moment.time_s;
-                if (!moment.is_frame) {
-                    record_row(now, outputs);
-                    continue;
-                }
-                go_on(now, [this] { compute(); });
-                record(now, &moment == &moments.back(), outputs);
-                progress.show(recorder_.record().frames);
-            }
-            end(now, outputs);
-            outputs.finish();
+        if (goes_on) {
+            look();
+        } else {
+            for_section(scenario_, "caustics", [this] { compute(); });
+            checks_.require_references(fields());
         }
-        wall().export_busy = outputs.busy_s();
-        wall().export_blocked = outputs.blocked_s();
-        wall().total = std::chrono::duration<double>(Clock::now() - start).count();
+        const RunFolder folder(out_);
+        if (waves_.shallow) shallow_.emplace(scenario_, *waves_.shallow, *surface_);
+        std::optional<StateArchive> state;
+        if (goes_on) state = restored();
+        if (!options_.quiet) say_where_it_starts(goes_on);
+        if (!goes_on) fs::remove(checkpoint());
+        Outputs outputs(folder, scenario_, still_irradiance(scenario_), state ? &*state : nullptr);
+        if (state) state->require_end();
+        state.reset();
+        fs::remove(out_ / "report.json");
+        write_all(outputs);
         reject_validation_messages();
-        return report(outputs);
+        const bool all_pass = report(outputs);
+        fs::remove(checkpoint());
+        return all_pass;
     }
 
   private:
     StageTimes& wall() { return recorder_.record().wall; }
 
+    fs::path checkpoint() const { return out_ / Outputs::checkpoint_name; }
+
+    /// What the run is at between two moments.
+    void exchange_state(StateArchive& state) {
+        exchange_identity(state, identity_of(scenario_, backend_), checkpoint());
+        state.value(next_);
+        waves_.model->exchange_state(state);
+        recorder_.exchange_state(state);
+        if (beams_) beams_->exchange_state(state);
+        if (walls_) walls_->exchange_state(state);
+        checks_.exchange_state(state);
+        if (shallow_) shallow_->exchange_state(state);
+        if (accuracy_) accuracy_->exchange_state(state);
+    }
+
+    /// Takes the state of the checkpoint; what is left of it is that of the outputs.
+    StateArchive restored() {
+        StateArchive state(read_checkpoint(checkpoint()));
+        exchange_state(state);
+        earlier_ = wall();
+        return state;
+    }
+
+    void say_where_it_starts(bool goes_on) const {
+        if (goes_on)
+            fmt::print(stderr, "going on from {} at t = {} s\n", checkpoint().string(), moments_[next_ - 1].time_s);
+        else if (options_.resume)
+            fmt::print(stderr, "no checkpoint in {}: starting from the beginning\n", out_.string());
+        else if (fs::exists(checkpoint()))
+            fmt::print(stderr, "starting from the beginning; {} is of a run that --resume would have gone on with\n",
+                       checkpoint().string());
+    }
+
+    /// All moments that are left. A failure names the checkpoint to go on from.
+    void write_all(Outputs& outputs) {
+        try {
+            visit_all(outputs);
+            end(moments_.back().time_s, outputs);
+            outputs.finish();
+            update_wall(outputs);
+        } catch (const WorldError& error) {
+            throw WorldError(error.what() + last_checkpoint(outputs));
+        } catch (const gpu::Error& error) {
+            throw gpu::Error(error.what() + last_checkpoint(outputs));
+        }
+    }
+
+    std::string last_checkpoint(Outputs& outputs) const {
+        const std::optional<double> time_s = outputs.last_checkpoint_s();
+        if (!time_s) return "; there is no checkpoint";
+        return fmt::format("; the last good checkpoint is {} of t = {} s", checkpoint().string(), *time_s);
+    }
+
+    void visit_all(Outputs& outputs) {
+        const auto is_frame = [](const Moment& moment) { return moment.is_frame; };
+        const int frames = static_cast<int>(std::count_if(moments_.begin(), moments_.end(), is_frame));
+        Progress progress(stderr, frames, options_.quiet);
+        watch_every_ = (frames + watched_frames - 1) / watched_frames;
+        while (next_ < moments_.size()) {
+            const Moment& moment = moments_[next_];
+            visit(moment, outputs);
+            ++next_;
+            if (moment.is_frame) progress.show(recorder_.record().frames);
+            if (next_ == moments_.size()) return;
+            const int signal = moment.is_frame && options_.stop_signal ? options_.stop_signal() : 0;
+            if (signal != 0 || is_checkpoint_due()) save(moment.time_s, outputs);
+            if (signal != 0) stop(moment.time_s, signal, outputs);
+        }
+    }
+
+    void visit(const Moment& moment, Outputs& outputs) {
+        // What is refused once files are written is a failure of the run.
+        try {
+            if (next_ > 0) advance(moment.time_s - moments_[next_ - 1].time_s);
+            if (!moment.is_frame) return record_row(moment.time_s, outputs);
+            if (next_ > 0) compute();
+        } catch (const InputError& error) {
+            throw WorldError(fmt::format("at t = {} s: {}", moment.time_s, error.what()));
+        }
+        record(moment.time_s, next_ + 1 == moments_.size(), outputs);
+    }
+
+    void advance(double seconds) {
+        timed(wall().waves, [&] { waves_.model->advance(seconds); });
+        if (accuracy_) timed(wall().accuracy, [&] { accuracy_->advance(seconds); });
+    }
+
+    bool is_checkpoint_due() const {
+        const double every_s = scenario_.output.checkpoint_every_s;
+        return every_s > 0 && std::chrono::duration<double>(Clock::now() - saved_).count() >= every_s;
+    }
+
+    void save(double time_s, Outputs& outputs) {
+        update_wall(outputs);
+        StateArchive state;
+        timed(wall().diagnostics, [&] { exchange_state(state); });
+        outputs.push_checkpoint(time_s, std::move(state));
+        saved_ = Clock::now();
+    }
+
+    /// Reports what there is, and ends. The checkpoint is on its way: what is added for the report is not part of it.
+    [[noreturn]] void stop(double time_s, int signal, Outputs& outputs) {
+        recorder_.add_waves(time_s, waves_.model->diagnostics());
+        if (floor_) recorder_.add_statistics(map_);
+        if (shallow_) shallow_->finish(*surface_, recorder_.record());
+        outputs.settle();
+        update_wall(outputs);
+        nlohmann::ordered_json json = report_json(scenario_, backend_, completed(), {});
+        const char* name = signal == SIGINT ? "SIGINT" : "SIGTERM";
+        json["interrupted"] = {{"signal", name}, {"time_s", time_s}};
+        write_json(out_ / "report.json", json);
+        throw Interrupted{
+            signal, fmt::format("{} at t = {} s; run --resume goes on from {}", name, time_s, checkpoint().string())};
+    }
+
+    void update_wall(const Outputs& outputs) {
+        wall().export_busy = earlier_.export_busy + outputs.busy_s();
+        wall().export_blocked = earlier_.export_blocked + outputs.blocked_s();
+        wall().total = earlier_.total + std::chrono::duration<double>(Clock::now() - start_).count();
+    }
+
     void look() {
         timed(wall().waves, [&] { surface_ = &waves_.model->surface(); });
-        timed(wall().diagnostics, [&] { require_finite(*surface_); });
+        timed(wall().diagnostics, [&] { require_finite(*surface_, waves_.model->steps()); });
     }
 
     void compute() {
         look();
-        if (floor_) timed(wall().floor, [&] { floor_->compute(*surface_, map_); });
-        if (beams_) timed(wall().beams, [&] { beams_->compute(*surface_); });
-        if (walls_) timed(wall().walls, [&] { walls_->compute(*surface_); });
+        const Instant now{surface_->time_s, waves_.model->steps()};
+        if (floor_) {
+            timed(wall().floor, [&] { floor_->compute(*surface_, map_); });
+            timed(wall().diagnostics, [&] { require_finite("irradiance on the floor", map_.irradiance, now); });
+        }
+        if (beams_) {
+            timed(wall().beams, [&] { beams_->compute(*surface_); });
+            timed(wall().diagnostics, [&] { require_finite_light(now); });
+        }
+        if (walls_) {
+            timed(wall().walls, [&] { walls_->compute(*surface_); });
+            for (const Field<float>& map : walls_->maps().irradiance) require_finite("irradiance on a wall", map, now);
+        }
+        if (!accuracy_) return;
+        timed(wall().accuracy, [&] { accuracy_->compute(*surface_, floor_ ? &map_ : nullptr); });
+        timed(wall().diagnostics, [&] { require_finite_errors(now); });
     }
 
     /// What probes read between frames. The truth of a place needs no map.
@@ -185,6 +271,21 @@ class Run {
         if (on_floor && floor_ && scenario_.floor->method != FloorMethod::truth)
             timed(wall().floor, [&] { floor_->compute(*surface_, map_); });
         if (in_water) timed(wall().beams, [&] { beams_->compute_beams(*surface_); });
+    }
+
+    void require_finite_light(const Instant& now) const {
+        if (const BeamVolume* volume = beams_->volume()) {
+            require_finite("downward irradiance in the water", volume->plane_irradiance, now);
+            require_finite("scalar irradiance in the water", volume->scalar_irradiance, now);
+        }
+        if (const BeamImage* picture = beams_->image()) require_finite("scattered light", picture->radiance, now);
+    }
+
+    void require_finite_errors(const Instant& now) const {
+        if (const Field<float>* error = accuracy_->floor_error())
+            require_finite("estimated error of the irradiance on the floor", *error, now);
+        if (const Field<float>* error = accuracy_->waves_error())
+            require_finite("estimated error of the elevation", *error, now);
     }
 
     /// As a probe reads it: in the water, or on the floor.
@@ -201,16 +302,6 @@ class Run {
 
     std::vector<double> read_probes() {
         return recorder_.add_probes(*surface_, [this](const Probe& probe) { return light_at(probe); });
-    }
-
-    /// What is refused once files are written is a failure of the run.
-    template <class Work>
-    void go_on(double time_s, Work work) {
-        try {
-            work();
-        } catch (const InputError& error) {
-            throw WorldError(fmt::format("at t = {} s: {}", time_s, error.what()));
-        }
     }
 
     void record(double time_s, bool last, Outputs& outputs) {
@@ -233,9 +324,13 @@ class Run {
             if (is_checked) add_checked(time_s);
         });
         const FrameFields now = fields();
-        const std::span<const BandMap> bands = floor_ ? floor_->bands() : std::span<const BandMap>();
-        const WallMaps* walls = walls_ ? &walls_->maps() : nullptr;
-        outputs.push({now.surface, now.floor, now.volume, now.picture, walls, bands, ledgers()}, std::move(probes));
+        FrameView view{now.surface, now.floor, now.volume, now.picture};
+        if (accuracy_) view.floor_error = accuracy_->floor_error();
+        if (accuracy_) view.waves_error = accuracy_->waves_error();
+        if (walls_) view.walls = &walls_->maps();
+        if (floor_) view.bands = floor_->bands();
+        view.ledgers = ledgers();
+        outputs.push(view, std::move(probes));
     }
 
     FrameFields fields() const {
@@ -259,6 +354,11 @@ class Run {
         record.waves.steps = waves_.model->steps();
         if (beams_) record.beams = beams_->record();
         if (walls_) record.walls = walls_->record();
+        if (accuracy_) {
+            record.accuracy = accuracy_->record();
+            if (record.floor && std::isfinite(record.floor->truth_error))
+                record.accuracy->floor_rmse = record.floor->truth_error;
+        }
         if (waves_.airy && !waves_.sea.empty()) record.sea = SeaRecord{waves_.airy->sea_coverage(), waves_.sea};
         return record;
     }
@@ -273,7 +373,7 @@ class Run {
     }
 
     void record_row(double time_s, Outputs& outputs) {
-        go_on(time_s, [this] { compute_for_probes(); });
+        compute_for_probes();
         std::vector<double> probes;
         timed(wall().diagnostics, [&] { probes = read_probes(); });
         checks_.add_row(time_s, recorder_.record().probes);
@@ -336,12 +436,17 @@ class Run {
     std::unique_ptr<FloorStage> floor_;
     std::optional<BeamStage> beams_;
     std::optional<WallStage> walls_;
+    std::optional<AccuracyStage> accuracy_;
     Recorder recorder_;
     CheckWatch checks_;
     std::optional<ShallowWatch> shallow_;
     const Surface* surface_ = nullptr;
     FloorMap map_;
     int watch_every_ = 1;
+    std::vector<Moment> moments_;
+    std::size_t next_ = 0;  ///< of the moments
+    Clock::time_point start_ = Clock::now(), saved_ = start_;
+    StageTimes earlier_;  ///< of the parts of the run before this one
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,11 +15,22 @@ struct RunOptions {
     std::filesystem::path out;  ///< empty: out/<stem of the scenario>
     std::vector<std::string> overrides;
     DeviceWish device;
+    bool resume = false;  ///< go on from the checkpoint in `out`, where there is one
     bool quiet = false;
+    /// The signal that asks the run to stop after the frame at hand, 0 while there is none; empty: nothing does.
+    std::function<int()> stop_signal;
+};
+
+/// A run that was asked to stop has stopped: its frames are whole, its checkpoint and its report are written. Not a
+/// failure, and so no std::exception.
+struct Interrupted {
+    int signal = 0;
+    std::string text;  ///< when, and how to go on
 };
 
 /// Runs and writes everything. Returns whether all checks of the scenario passed. Throws InputError before anything is
-/// written, WorldError and gpu::Error at any time.
+/// written, or where `resume` finds the checkpoint of another run; WorldError and gpu::Error at any time, naming the
+/// checkpoint to go on from once there are frames; Interrupted.
 bool run_scenario(const RunOptions& options);
 
 }  // namespace waterlight

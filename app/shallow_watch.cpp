@@ -67,6 +67,11 @@ void ShallowWatch::finish(const Surface& surface, RunRecord& run) {
     run.shallow = record_;
 }
 
+void ShallowWatch::exchange_state(StateArchive& state) {
+    state.value(record_);
+    state.value(watched_);
+}
+
 std::vector<RunupLine> ShallowWatch::lines() const { return runup_lines(grid_, bed_m_, records().max_elevation_m); }
 
 double ShallowWatch::inundated_m2() const {

@@ -21,6 +21,9 @@ class ShallowWatch {
     /// After the last frame: the record, and of each probe when the water arrived.
     void finish(const Surface& surface, RunRecord& run);
 
+    /// Gives the record so far to the archive, or takes it from there.
+    void exchange_state(StateArchive& state);
+
     /// The ground (m above level 0).
     const Field<float>& bed_m() const { return bed_m_; }
     const ShallowRecords& records() const { return *model_.records(); }

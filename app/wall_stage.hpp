@@ -3,6 +3,7 @@
 
 #include "caustics/walls.hpp"
 #include "scenarios/scenario.hpp"
+#include "sim/state_archive.hpp"
 
 namespace waterlight {
 
@@ -23,6 +24,8 @@ class WallStage {
     /// Takes the frame just computed into the record.
     void add_frame();
     const WallRecord& record() const { return record_; }
+    /// Gives the record so far to the archive, or takes it from there.
+    void exchange_state(StateArchive& state) { state.value(record_); }
     const WallMaps& maps() const { return maps_; }
 
   private:

@@ -37,6 +37,14 @@ void Descriptor::truncate(std::uint64_t size) noexcept {
     [[maybe_unused]] const int failed = ::ftruncate(fd_, static_cast<off_t>(size));
 }
 
+void Descriptor::sync() {
+    if (::fsync(fd_) != 0) fail();
+}
+
+void Descriptor::sync_all() {
+    if (::syncfs(fd_) != 0) fail();
+}
+
 void Descriptor::close() {
     if (::close(std::exchange(fd_, -1)) != 0) fail();
 }

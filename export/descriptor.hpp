@@ -19,6 +19,10 @@ class Descriptor {
     void write(std::string_view bytes);
     /// Cuts the file to `size` bytes; never throws.
     void truncate(std::uint64_t size) noexcept;
+    /// Returns once the file, or the folder's list of names, is on the disk.
+    void sync();
+    /// Returns once all that was written to its file system is on the disk.
+    void sync_all();
     /// Closes, and throws what the system only says then.
     void close();
 

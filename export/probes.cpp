@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "export/atomic_file.hpp"
+#include "sim/error.hpp"
 
 namespace waterlight {
 
@@ -38,6 +39,15 @@ ProbeTable::ProbeTable(const std::filesystem::path& path, std::span<const std::s
     std::string header = "time_s";
     for (const std::string& column : columns) header += ',' + csv_text(column);
     write_row(header + '\n');
+}
+
+ProbeTable::ProbeTable(const std::filesystem::path& path, std::span<const std::string> columns, std::uint64_t size)
+    : columns_(columns.size()), file_(path, path, O_WRONLY | O_APPEND), size_(size) {
+    std::error_code error;
+    const std::uintmax_t there = std::filesystem::file_size(path, error);
+    if (error || there < size)
+        throw WorldError(fmt::format("cannot go on with {}: rows that were written are missing", path.string()));
+    file_.truncate(size);
 }
 
 void ProbeTable::append(double time_s, std::span<const double> values) {

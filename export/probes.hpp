@@ -18,6 +18,13 @@ class ProbeTable {
     /// Starts `path` anew with its header; `columns` are the names after time_s. Throws WorldError.
     ProbeTable(const std::filesystem::path& path, std::span<const std::string> columns);
 
+    /// Goes on with the table that is at `path`: what it has beyond `size` bytes is cut off. Throws WorldError where it
+    /// has less.
+    ProbeTable(const std::filesystem::path& path, std::span<const std::string> columns, std::uint64_t size);
+
+    /// Bytes written so far.
+    std::uint64_t size() const { return size_; }
+
     /// `values`: one per column. Throws WorldError, and then the table ends with the row before.
     void append(double time_s, std::span<const double> values);
 

@@ -45,4 +45,9 @@ std::vector<std::filesystem::path> VtiSeries::write_parts(std::span<const VtiPar
     return paths;
 }
 
+void VtiSeries::exchange_state(StateArchive& state) {
+    state.value(frames_);
+    state.text(entries_);
+}
+
 }  // namespace waterlight

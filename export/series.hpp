@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "export/vti.hpp"
+#include "sim/state_archive.hpp"
 
 namespace waterlight {
 
@@ -30,6 +31,9 @@ class VtiSeries {
     std::vector<std::filesystem::path> write_parts(std::span<const VtiPart> parts);
 
     int frames() const { return frames_; }
+
+    /// Gives the archive what was written so far, or goes on from there with files that are still in their place.
+    void exchange_state(StateArchive& state);
 
   private:
     std::filesystem::path folder_;

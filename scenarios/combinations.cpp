@@ -124,6 +124,15 @@ void check_floor(const Scenario& s) {
                         "an odd integer >= 1");
 }
 
+/// A solution on half as many cells must still be one.
+void check_accuracy(const Scenario& s) {
+    constexpr int least = 8;
+    const glm::ivec2 n = s.domain.cells;
+    if (s.accuracy.estimate && std::max(n.x, n.y) < least)
+        s.origin.reject("domain.cells", fmt::format("[{}, {}] beside accuracy.estimate", n.x, n.y),
+                        fmt::format("at least {} along an axis", least));
+}
+
 void check_probes(const Scenario& s) {
     std::set<std::string> names;
     for (std::size_t i = 0; i < s.probes.size(); ++i) {
@@ -166,6 +175,7 @@ void check_combinations(const Scenario& s) {
     check_floor(s);
     check_beams(s);
     check_light(s);
+    check_accuracy(s);
     check_probes(s);
     check_checks(s);
 }

@@ -18,6 +18,7 @@ namespace {
 
 /// The section that a quantity needs and the scenario lacks; else empty.
 std::string_view lacking_section(const Scenario& s, const std::string& quantity) {
+    if (quantity.starts_with("accuracy.")) return s.accuracy.estimate ? "" : "accuracy.estimate = true";
     const auto in_water = [&](const Probe& probe) {
         return probe.depth_m && quantity.starts_with("probe." + probe.name + ".");
     };

@@ -1,6 +1,7 @@
 // Data files that a scenario names.
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdlib>
 
 #include "scenarios/reader.hpp"
@@ -44,7 +45,21 @@ fs::path locate(const Scenario& scenario, std::string_view key, const fs::path& 
     }
 }
 
+constexpr std::array buoy_suffixes{".data_spec", ".swdir", ".swdir2", ".swr1", ".swr2"};
+
 }  // namespace
+
+std::vector<fs::path> data_files(const Scenario& scenario) {
+    const WavesSection& waves = scenario.waves;
+    std::vector<fs::path> files;
+    if (scenario.domain.bathymetry) files.emplace_back(*scenario.domain.bathymetry);
+    if (waves.file) files.emplace_back(*waves.file);
+    for (const Inflow& inflow : waves.inflows)
+        if (inflow.signal.file) files.emplace_back(*inflow.signal.file);
+    if (waves.buoy)
+        for (const char* suffix : buoy_suffixes) files.emplace_back(waves.buoy->stem.string() + suffix);
+    return files;
+}
 
 void find_data(Scenario& scenario) {
     WavesSection& waves = scenario.waves;
@@ -59,8 +74,7 @@ void find_data(Scenario& scenario) {
             file = locate(scenario, fmt::format("check[{}].reference", i), *file, "").string();
     if (!waves.buoy) return;
     const fs::path stem = waves.buoy->stem;
-    for (const char* suffix : {".data_spec", ".swdir", ".swdir2", ".swr1", ".swr2"})
-        waves.buoy->stem = locate(scenario, "waves.buoy.stem", stem, suffix);
+    for (const char* suffix : buoy_suffixes) waves.buoy->stem = locate(scenario, "waves.buoy.stem", stem, suffix);
 }
 
 }  // namespace waterlight

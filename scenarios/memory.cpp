@@ -1,9 +1,12 @@
 #include "scenarios/memory.hpp"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
+#include <limits>
 #include <string>
 
 #include "scenarios/resolve.hpp"
@@ -14,10 +17,10 @@ namespace waterlight {
 namespace {
 
 // Bytes a cell, a quarter above the peaks measured (docs/performance.md): the model's state and its surface, and four
-// elevations and depths that wait to be written.
-constexpr double linear_cell = 92;
-constexpr double airy_cell = 100;
-constexpr double shallow_water_cell = 260;
+// elevations and depths that wait to be written; and the state once more, of a checkpoint that waits.
+constexpr double linear_cell = 92 + 9;
+constexpr double airy_cell = 100 + 16;
+constexpr double shallow_water_cell = 260 + 29;
 constexpr double prescribed_cell = 60;
 // Bytes a pixel: landed samples, the map, four that wait to be written, a picture; and of each sample more.
 constexpr double two_pass_pixel = 56;
@@ -36,11 +39,18 @@ double bytes_per_cell(ModelChoice model) {
     return model == ModelChoice::prescribed ? prescribed_cell : airy_cell;
 }
 
-double bytes_per_pixel(const FloorSection& floor) {
+double bytes_per_pixel(const FloorSection& floor, bool estimates) {
     if (floor.method == FloorMethod::truth) return truth_pixel;
     const double more_samples = floor.samples_per_pixel * floor.samples_per_pixel - 1;
-    return floor.footprint == Footprint::adaptive ? adaptive_pixel + more_samples * adaptive_sample
-                                                  : two_pass_pixel + more_samples * two_pass_sample;
+    const double map = floor.footprint == Footprint::adaptive ? adaptive_pixel + more_samples * adaptive_sample
+                                                              : two_pass_pixel + more_samples * two_pass_sample;
+    return estimates ? map + truth_pixel : map;
+}
+
+/// The model's own cells and, where errors are estimated, those of the models alongside (WaveEstimate).
+double solutions(const Scenario& scenario, ModelChoice model) {
+    if (!scenario.accuracy.estimate || model == ModelChoice::prescribed) return 1;
+    return model == ModelChoice::airy ? 10 : 1 + 1 / 4.0 + 1 / 16.0;
 }
 
 std::string in_gib(double bytes) { return fmt::format("{:.3g} GiB", bytes / (1 << 30)); }
@@ -68,7 +78,7 @@ MemoryEstimate estimate_memory(const Scenario& scenario) {
         with_margins(boundary.x, scenario.domain.size_m.x) * with_margins(boundary.y, scenario.domain.size_m.y);
     const glm::ivec2 n = scenario.domain.cells;
     MemoryEstimate estimate;
-    estimate.cells = margins * n.x * static_cast<double>(n.y) * bytes_per_cell(model);
+    estimate.cells = margins * n.x * static_cast<double>(n.y) * bytes_per_cell(model) * solutions(scenario, model);
     if (scenario.beams && scenario.beams->volume_cells) {
         const glm::dvec3 v(*scenario.beams->volume_cells);
         estimate.volume = v.x * v.y * v.z * volume_cell;
@@ -76,13 +86,23 @@ MemoryEstimate estimate_memory(const Scenario& scenario) {
     if (!scenario.floor) return estimate;
     const glm::ivec2 pixels = scenario.floor->pixels;
     const double maps = std::max<double>(1, static_cast<double>(bands_of(scenario).size()));
-    estimate.pixels = pixels.x * static_cast<double>(pixels.y) * bytes_per_pixel(*scenario.floor) * maps;
+    estimate.pixels =
+        pixels.x * static_cast<double>(pixels.y) * bytes_per_pixel(*scenario.floor, scenario.accuracy.estimate) * maps;
     return estimate;
+}
+
+/// What the process may still ask for, as `ulimit -v` limits it.
+static double address_space_left() {
+    rlimit limit{};
+    if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
+        return std::numeric_limits<double>::infinity();
+    const double used = number_in_file("/proc/self/statm", "") * static_cast<double>(::sysconf(_SC_PAGESIZE));
+    return std::max(0.0, static_cast<double>(limit.rlim_cur) - used);
 }
 
 double machine_memory() {
     constexpr double kib = 1024;
-    const double available = number_in_file("/proc/meminfo", "MemAvailable:") * kib;
+    const double available = std::min(number_in_file("/proc/meminfo", "MemAvailable:") * kib, address_space_left());
     const double limit = number_in_file("/sys/fs/cgroup/memory.max", "");
     return limit > 0 ? std::min(available, limit) : available;
 }

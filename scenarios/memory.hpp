@@ -19,7 +19,8 @@ struct MemoryEstimate {
 /// bytes a pixel of the method. An upper estimate.
 MemoryEstimate estimate_memory(const Scenario& scenario);
 
-/// What this machine can give, in bytes: available memory, or the limit of the control group where that is less.
+/// What this machine can give, in bytes: available memory, or the limit of the control group or of the
+/// process (ulimit -v) where that is less.
 double machine_memory();
 
 /// Throws InputError where the estimate exceeds `available` bytes.

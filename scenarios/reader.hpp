@@ -38,4 +38,7 @@ struct MissingData : InputError {
 /// InputError naming both where there is none, MissingData where the folder is not there either.
 void find_data(Scenario& scenario);
 
+/// The files that find_data() found.
+std::vector<std::filesystem::path> data_files(const Scenario& scenario);
+
 }  // namespace waterlight

@@ -108,6 +108,7 @@ struct CameraSection {
 struct OutputSection {
     double every_s = 0.1;
     std::optional<double> probe_every_s;  ///< none: every_s
+    double checkpoint_every_s = 60;       ///< of wall time; 0: never
     std::vector<std::string> formats{"vti", "png"};
     std::vector<std::string> fields{"elevation", "velocity", "depth"};
     Compression compression = Compression::none;
@@ -118,6 +119,7 @@ struct OutputSection {
     bool shows(const std::string& field) const;
 };
 
+/// How wrong the run may be, and how wrong it is.
 /// A gauge: the elevation of the surface, and the irradiance below it, at one place.
 struct Probe {
     std::string name;
@@ -129,6 +131,7 @@ struct Probe {
 struct AccuracySection {
     double tolerance = 0.02;  ///< of the waves, a fraction of a wavelength (sim/wave_terms.hpp); of contrasts of light
     bool strict = false;      ///< refuse what no model meets
+    bool estimate = false;    ///< estimate the errors of maps and surfaces
 };
 
 /// A wave model and why it was taken.

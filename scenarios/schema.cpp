@@ -221,6 +221,11 @@ void describe_output(Visitor& v, OutputSection& s) {
              "a probe reads them.",
              positive, false, "every_s"},
             &s.probe_every_s);
+    v.value({"checkpoint_every_s", "s",
+             "Time on the clock between checkpoints, from which run --resume goes on; 0 writes none but where the run "
+             "is interrupted.",
+             not_negative},
+            &s.checkpoint_every_s);
     v.value({"formats", "", "What to write; png16 is 16-bit grey with its scale in the file."},
             Words{{"vti", "png", "png16", "exr"}, &s.formats});
     v.value(

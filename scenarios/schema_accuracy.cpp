@@ -15,6 +15,11 @@ void describe_accuracy(Visitor& v, AccuracySection& s) {
         &s.tolerance);
     v.value({"strict", "", "Whether to refuse a scenario whose tolerance no model meets, instead of a warning."},
             &s.strict);
+    v.value({"estimate", "",
+             "Whether to estimate the error of every map and, but for model prescribed, of every surface by a finer "
+             "or a coarser solution alongside: arrays \"error\" in floor/*.vti and surface/*.vti. Takes many times as "
+             "long."},
+            &s.estimate);
 }
 
 }  // namespace waterlight

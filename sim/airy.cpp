@@ -52,6 +52,7 @@ class Airy final : public AiryModel {
     WaveDiagnostics diagnostics() override;
     std::int64_t steps() const override { return steps_; }
     SeaCoverage sea_coverage() const override { return coverage_; }
+    void exchange_state(StateArchive& state) override;
 
   private:
     void add_sources(double from_s, double to_s);
@@ -166,6 +167,15 @@ WaveDiagnostics Airy::diagnostics() {
     sums.energy_j =
         (whole_tank ? potential_energy_j(sums) : plane_energy_j(modes_, slots_)) + plane_energy_j(modes_, across_);
     return sums;
+}
+
+void Airy::exchange_state(StateArchive& state) {
+    state.value(time_s_);
+    state.value(steps_);
+    state.value(state_.start_s);
+    state.values(state_.a.values());
+    state.values(state_.b.values());
+    surface_is_present_ = surface_is_present_ && !state.restores();
 }
 
 }  // namespace

@@ -67,6 +67,7 @@ class Leapfrog final : public LinearModel<Real> {
     std::int64_t steps() const override { return steps_; }
     Real elevation_m(int i, int j) const override { return shown().row(j + sponge_y_.cells)[i + sponge_x_.cells]; }
     double step_s() const override { return dt_; }
+    void exchange_state(StateArchive& state) override;
 
   private:
     // A drop and the step before which it falls.
@@ -294,6 +295,19 @@ WaveDiagnostics Leapfrog<Real>::diagnostics() {
     if (between_) part_step(time_s_ - time_of(steps_));
     diagnostics.energy_j = linear_energy(std::move(state));
     return diagnostics;
+}
+
+template <class Real>
+void Leapfrog<Real>::exchange_state(StateArchive& state) {
+    state.value(dt_);
+    state.value(steps_);
+    state.value(time_s_);
+    state.value(between_);
+    state.values(elevation_.values());
+    state.values(rate_.values());
+    if (!state.restores()) return;
+    if (between_) part_step(time_s_ - time_of(steps_));
+    surface_is_new_ = false;
 }
 
 }  // namespace

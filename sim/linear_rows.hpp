@@ -24,6 +24,9 @@ class PaddedRows {
     Real* row(int j) { return storage_.row(j) + lead; }
     const Real* row(int j) const { return storage_.row(j) + lead; }
 
+    /// All of it, ghosts and what pads the rows included.
+    std::span<Real> values() { return storage_.values(); }
+
     /// Copies all rows of another array of this shape.
     void copy(const PaddedRows& from) {
         assert(from.stride() == stride() && from.ny() == ny());

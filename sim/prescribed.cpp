@@ -38,6 +38,11 @@ class Prescribed : public PrescribedModel {
     }
     WaveDiagnostics diagnostics() override { return surface_sums(surface()); }
     std::int64_t steps() const override { return steps_; }
+    void exchange_state(StateArchive& state) override {
+        state.value(time_s_);
+        state.value(steps_);
+        surface_is_new_ = surface_is_new_ && !state.restores();
+    }
 
   private:
     // Sets elevation and slopes at surface.time_s.

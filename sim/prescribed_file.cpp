@@ -80,6 +80,7 @@ Field<float> resampled(const VtiField& from, const Grid& grid, Boundary boundary
 FileSeries::FileSeries(const std::filesystem::path& path, const Grid& grid, Boundary boundary)
     : grid_(grid), boundary_(boundary) {
     files_ = path.extension() == ".pvd" ? read_pvd(path) : std::vector<TimedFile>{{0, path}};
+    for (const TimedFile& file : files_) stamps_.push_back(stamp_of(file.path));
     loaded(0);
 }
 
@@ -88,7 +89,10 @@ const Field<float>& FileSeries::loaded(std::size_t index) {
     if (found != recent_.end()) return found->elevation_m;
     if (recent_.size() == 2) recent_.erase(recent_.begin());
     const std::filesystem::path& path = files_[index].path;
-    recent_.push_back({index, resampled(read_vti(path, "elevation"), grid_, boundary_, path.string())});
+    const VtiField read = read_vti(path, "elevation");
+    if (stamp_of(path) != stamps_[index])
+        throw InputError(fmt::format("{}: changed since the run started", path.string()));
+    recent_.push_back({index, resampled(read, grid_, boundary_, path.string())});
     return recent_.back().elevation_m;
 }
 

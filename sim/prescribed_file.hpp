@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "sim/file_stamp.hpp"
 #include "sim/surface.hpp"
 #include "sim/vti_reader.hpp"
 
@@ -17,7 +18,8 @@ class FileSeries {
     FileSeries(const std::filesystem::path& path, const Grid& grid, Boundary boundary);
 
     /// Sets the elevation (m) at time_s: linear in time between two files of a series; before the first and after the
-    /// last the surface stays as it is there. A single .vti stands still.
+    /// last the surface stays as it is there. A single .vti stands still. Throws InputError where a file that is read
+    /// only now is not the one that was there at the start, or is no good.
     void elevation_at(double time_s, Field<float>& elevation_m);
 
   private:
@@ -29,6 +31,7 @@ class FileSeries {
     const Field<float>& loaded(std::size_t index);
 
     std::vector<TimedFile> files_;
+    std::vector<FileStamp> stamps_;  // of each file, at the start
     Grid grid_;
     Boundary boundary_;
     std::vector<Loaded> recent_;  // newest last

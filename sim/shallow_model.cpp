@@ -82,6 +82,17 @@ const Surface& ShallowModel<Real>::surface() {
     return surface_;
 }
 
+template <class Real>
+void ShallowModel<Real>::exchange_state(StateArchive& state) {
+    state.value(time_s_);
+    state.value(dt_);
+    state.value(steps_);
+    state.value(peak_.rate);
+    state.value(peak_.finite);
+    solver_->exchange_state(state);
+    surface_is_new_ = surface_is_new_ && !state.restores();
+}
+
 template class ShallowModel<float>;
 template class ShallowModel<double>;
 

@@ -27,6 +27,7 @@ class ShallowModel final : public ShallowWaterModel {
     double step_s() const override { return steps_ > 0 ? dt_ : cfl_ / rate(); }
     ShallowTotals totals() const override { return shallow_totals(view(), wet_m_); }
     const ShallowRecords* records() const override { return keep_records_ ? &solver_->records() : nullptr; }
+    void exchange_state(StateArchive& state) override;
 
   private:
     ShallowView<Real> view() const { return {grid_, water_, solver_->start(), solver_->fields(), film_}; }

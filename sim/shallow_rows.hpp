@@ -21,6 +21,9 @@ class FramedRows {
     Real* row(int j) { return storage_.row(j + frame) + lead; }
     const Real* row(int j) const { return storage_.row(j + frame) + lead; }
 
+    /// All of it, the frame and what pads the rows included.
+    std::span<Real> values() { return storage_.values(); }
+
     static int stride_for(int nx) { return (nx + 15) / 16 * 16 + 2 * lead; }
     static constexpr int lead = 16;  // values before a row: keeps row(j) on a 64-byte line
 

@@ -76,6 +76,8 @@ class ShallowSolver {
     virtual void record(double time_s) = 0;
     /// Valid until the next step.
     virtual const ShallowRecords& records() = 0;
+    /// As WaveModel's: the fields and the records.
+    virtual void exchange_state(StateArchive& state) = 0;
 };
 
 }  // namespace waterlight

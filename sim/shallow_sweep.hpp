@@ -35,6 +35,9 @@ class ShallowSweep {
     ShallowPeak look(const ShallowStage<Real>& stage, const ShallowStart<Real>& start,
                      const ShallowFields<Real>& change, ShallowFields<Real>& now);
 
+    /// What it keeps from step to step.
+    void exchange_state(StateArchive& state) { state.values(carry_.values()); }
+
   private:
     template <bool second>
     class Band;

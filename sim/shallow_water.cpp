@@ -55,6 +55,13 @@ class RowSolver final : public ShallowSolver<Real> {
     void record(double time_s) override { add_records(constants_, start_, now_, time_s, records_); }
     const ShallowRecords& records() override { return records_; }
 
+    void exchange_state(StateArchive& state) override {
+        for (FramedRows<Real>* rows : {&now_.rise, &now_.qx, &now_.qy}) state.values(rows->values());
+        sweep_.exchange_state(state);
+        for (Field<float>* field : {&records_.max_elevation_m, &records_.max_speed_m_s, &records_.arrival_s})
+            state.values(field->values());
+    }
+
   private:
     ShallowPeak with_sides(double time_s, ShallowPeak inside) {
         const double rate = frames_.fill(side_demands(sides_, {time_s, time_s, time_s}), start_, now_);

@@ -123,6 +123,19 @@ class VulkanSolver final : public ShallowSolver<float> {
         return records_;
     }
 
+    void exchange_state(StateArchive& state) override {
+        // What is still to be done is done first.
+        commands_.download(now_);
+        if (records_buffer_) commands_.download(*records_buffer_);
+        commands_.run();
+        state.values(now_.host<glm::vec4>());
+        if (records_buffer_) state.values(records_buffer_->host<glm::vec4>());
+        if (!state.restores()) return;
+        commands_.upload(now_);
+        if (records_buffer_) commands_.upload(*records_buffer_);
+        fields_are_new_ = false;
+    }
+
   private:
     /// Stands for a record that has no value yet: a device may not keep a NaN.
     static constexpr float beyond_all = 1e30F;

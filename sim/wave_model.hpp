@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "sim/state_archive.hpp"
 #include "sim/surface.hpp"
 
 namespace waterlight {
@@ -30,6 +31,9 @@ class WaveModel {
     virtual WaveDiagnostics diagnostics() = 0;
     /// Sub-steps taken since the start.
     virtual std::int64_t steps() const = 0;
+    /// Gives its state to the archive or takes it from there; between calls of advance(). A model of the same settings
+    /// on the same back-end then goes on bit by bit as the one did that gave it.
+    virtual void exchange_state(StateArchive& state) = 0;
 };
 
 }  // namespace waterlight

@@ -27,6 +27,9 @@ template <class Work>
 auto attempt(std::string_view doing, Work&& work) {
     try {
         return std::forward<Work>(work)();
+    } catch (const vk::DeviceLostError& error) {
+        throw Error("the Vulkan device was lost, and cannot " + std::string(doing) + " (" + error.what() +
+                    "): its driver was reset, or it was removed");
     } catch (const vk::Error& error) {
         throw Error("cannot " + std::string(doing) + ": " + error.what());
     }

@@ -221,7 +221,7 @@ TEST_F(Outputs, ProbesReadTheWave) {
 
 TEST(Program, HelpAndVersionAreThereForEveryCommand) {
     for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
-             {"--help"}, {"run", "--help"}, {"schema", "--help"}, {"devices", "--help"}}) {
+             {"--help"}, {"run", "--help"}, {"sweep", "--help"}, {"schema", "--help"}, {"devices", "--help"}}) {
         const Outcome outcome = run_program(arguments);
         EXPECT_EQ(outcome.exit, 0);
         EXPECT_NE(outcome.output.find("Example:"), std::string::npos) << outcome.output;

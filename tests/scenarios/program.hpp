@@ -63,8 +63,9 @@ inline std::string read_file(const std::filesystem::path& path) {
 /// A folder of its own, removed at the end. Its name has a space in it, as users' folders do.
 class Scratch {
   public:
-    explicit Scratch(const std::string& name)
-        : path_(std::filesystem::temp_directory_path() / ("waterlight test " + name + " " + std::to_string(getpid()))) {
+    explicit Scratch(const std::string& name,
+                     const std::filesystem::path& root = std::filesystem::temp_directory_path())
+        : path_(root / ("waterlight test " + name + " " + std::to_string(getpid()))) {
         std::filesystem::remove_all(path_);
         std::filesystem::create_directories(path_);
     }

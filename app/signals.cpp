@@ -1,0 +1,32 @@
+#include "app/signals.hpp"
+
+#include <unistd.h>
+
+#include <csignal>
+
+namespace waterlight {
+
+namespace {
+
+// A signal handler reaches nothing but what is global.
+volatile std::sig_atomic_t received = 0;
+
+void remember(int signal) {
+    if (received != 0) ::_exit(128 + signal);
+    received = signal;
+}
+
+}  // namespace
+
+void catch_stop_signals() {
+    struct sigaction action {};
+    action.sa_handler = remember;
+    action.sa_flags = SA_RESTART;
+    ::sigaction(SIGINT, &action, nullptr);
+    ::sigaction(SIGTERM, &action, nullptr);
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+
+int stop_signal() { return received; }
+
+}  // namespace waterlight
