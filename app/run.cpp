@@ -142,7 +142,7 @@ class Run {
 
     void say_where_it_starts(bool goes_on) const {
         if (goes_on)
-            fmt::print(stderr, "going on from {} at t = {} s\n", checkpoint().string(), moments_[next_ - 1].time_s);
+            fmt::print(stderr, "going on from {} at t = {:.6g} s\n", checkpoint().string(), moments_[next_ - 1].time_s);
         else if (options_.resume)
             fmt::print(stderr, "no checkpoint in {}: starting from the beginning\n", out_.string());
         else if (fs::exists(checkpoint()))
@@ -167,7 +167,7 @@ class Run {
     std::string last_checkpoint(Outputs& outputs) const {
         const std::optional<double> time_s = outputs.last_checkpoint_s();
         if (!time_s) return "; there is no checkpoint";
-        return fmt::format("; the last good checkpoint is {} of t = {} s", checkpoint().string(), *time_s);
+        return fmt::format("; the last good checkpoint is {} of t = {:.6g} s", checkpoint().string(), *time_s);
     }
 
     void visit_all(Outputs& outputs) {
@@ -194,7 +194,7 @@ class Run {
             if (!moment.is_frame) return record_row(moment.time_s, outputs);
             if (next_ > 0) compute();
         } catch (const InputError& error) {
-            throw WorldError(fmt::format("at t = {} s: {}", moment.time_s, error.what()));
+            throw WorldError(fmt::format("at t = {:.6g} s: {}", moment.time_s, error.what()));
         }
         record(moment.time_s, next_ + 1 == moments_.size(), outputs);
     }
@@ -228,8 +228,8 @@ class Run {
         const char* name = signal == SIGINT ? "SIGINT" : "SIGTERM";
         json["interrupted"] = {{"signal", name}, {"time_s", time_s}};
         write_json(out_ / "report.json", json);
-        throw Interrupted{
-            signal, fmt::format("{} at t = {} s; run --resume goes on from {}", name, time_s, checkpoint().string())};
+        throw Interrupted{signal, fmt::format("{} at t = {:.6g} s; run --resume goes on from {}", name, time_s,
+                                              checkpoint().string())};
     }
 
     void update_wall(const Outputs& outputs) {

@@ -40,7 +40,13 @@ VtkXml::VtkXml(std::filesystem::path path, std::string_view type) : path_(std::m
     set_compressor();
 }
 
-void VtkXml::reject(const std::string& why) const { throw InputError(fmt::format("{}: {}", path_.string(), why)); }
+void VtkXml::reject(const std::string& why) const {
+    // Names and values come from the file, which may hold anything.
+    std::string printable = why;
+    for (char& c : printable)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+    throw InputError(fmt::format("{}: {}", path_.string(), printable));
+}
 
 /// VTK's message on one line, without the place in VTK's sources that it starts with.
 std::string VtkXml::complaint() const {

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 /// Runs for minutes, with a frame every few milliseconds.
 const std::string long_run =
     "[domain]\nsize_m = [1.0, 1.0]\ncells = [48, 48]\ndepth_m = 0.5\n"
-    "[waves]\nduration_s = 500\n[[waves.standing]]\namplitude_m = 0.01\nhalf_waves_x = 4\n"
+    "[waves]\nmodel = \"airy\"\nduration_s = 500\n[[waves.standing]]\namplitude_m = 0.01\nhalf_waves_x = 4\n"
     "[caustics.floor]\npixels = [48, 40]\n[output]\nevery_s = 0.05\ncheckpoint_every_s = 0.02\n"
     "formats = [\"vti\", \"png\", \"exr\"]\n[[probe]]\nname = \"corner\"\nat_m = [0.0, 0.0]\n";
 
