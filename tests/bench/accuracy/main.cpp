@@ -1,0 +1,80 @@
+// How wrong each method is and what it costs, as the Markdown of docs/accuracy.md: waterlight_accuracy [--quick]
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <string>
+
+#include "gpu/error.hpp"
+#include "tests/bench/accuracy/report.hpp"
+
+namespace {
+
+using namespace waterlight;
+
+std::shared_ptr<gpu::Context> open_device() {
+    try {
+        return std::make_shared<gpu::Context>();
+    } catch (const gpu::Error& error) {
+        std::fprintf(stderr, "no Vulkan: %s\n", error.what());
+        return nullptr;
+    }
+}
+
+/// As the kernel names it; empty where it does not.
+std::string processor() {
+    std::ifstream in("/proc/cpuinfo");
+    for (std::string line; std::getline(in, line);)
+        if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+    return {};
+}
+
+void print_frame(const accuracy::Options& options) {
+    fmt::print(R"(# How wrong, how fast
+
+Written by `./waterlight accuracy > docs/accuracy.md`: every method against the truth, and what it costs. Lengths are in
+metres, errors relative. The truth is `caustics/truth`, double precision, whose own estimate stands beside what it judges.
+
+Measured with {} threads of {}, {}.
+Vulkan: {}.
+Times are medians of rounds in which what is compared ran in turn, so read multiples rather than milliseconds: others may
+have used the machine.
+)",
+               omp_get_max_threads(), processor(), "GCC " __VERSION__,
+               options.context ? options.context->device().name : "no device here, so its columns are missing");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    accuracy::Options options;
+    for (int k = 1; k < argc; ++k) {
+        if (std::string(argv[k]) == "--quick") {
+            options.quick = true;
+            continue;
+        }
+        std::fprintf(stderr, "usage: waterlight_accuracy [--quick], not \"%s\"\n", argv[k]);
+        return 2;
+    }
+    options.context = open_device();
+    const auto start = std::chrono::steady_clock::now();
+    print_frame(options);
+    accuracy::Choices choices;
+    accuracy::report_floor(options, choices);
+    accuracy::report_light(options);
+    accuracy::report_beams(options, choices);
+    accuracy::report_waves(options, choices);
+    fmt::print(R"(
+## Which to choose
+
+The cheapest setting measured above that meets a tolerance, and its cost. Of floor maps and slices the error is that of
+averages over a sixteenth of a period, whatever the pixel, and the cost is microseconds for a square of one wave; a setting
+is its method, pixels a period, and back-end.
+)");
+    choices.print();
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    fmt::print("\nAll of this took {:.0f} s.\n", seconds);
+    return 0;
+}

@@ -1,0 +1,81 @@
+// What the parts of the accuracy report share: tables, times taken side by side, and what is cheapest.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gpu/context.hpp"
+#include "sim/field.hpp"
+
+namespace waterlight::accuracy {
+
+struct Options {
+    bool quick = false;                     ///< a few settings only, on small maps
+    std::shared_ptr<gpu::Context> context;  ///< null: no Vulkan device
+};
+
+/// Pixels or cells along each side of what is timed, at least.
+inline int map_side(const Options& options) { return options.quick ? 128 : 256; }
+
+void print_row(const std::vector<std::string>& cells);
+void print_heads(const std::vector<std::string>& heads);
+
+/// A part of one as per cent, to three digits.
+std::string percent(double part);
+
+/// Milliseconds of one call, and its multiple of the first of the calls beside it.
+struct Timed {
+    double ms = 0;
+    double ratio = 1;
+};
+
+/// Each round calls all works in turn, so that each has the same chance of a quiet moment; the fastest of the rounds,
+/// since what others do on the machine only adds. Three rounds and up to 25, until budget_s is spent; the first warms
+/// up and does not count.
+std::vector<Timed> time_together(const std::vector<std::function<void()>>& works, double budget_s);
+
+/// Means over boxes of bx x by values; what is over at the far sides is left out.
+template <class T>
+Field<double> box_means(const Field<T>& field, int bx, int by) {
+    Field<double> means(field.nx() / bx, field.ny() / by);
+    for (int j = 0; j < means.ny() * by; ++j)
+        for (int i = 0; i < means.nx() * bx; ++i) means(i / bx, j / by) += field(i, j) / double(bx * by);
+    return means;
+}
+
+/// RMS of the difference over the RMS of `exact`, over the part of `found` that `exact` covers.
+double relative_rms(const Field<double>& found, const Field<double>& exact);
+
+/// The order of convergence: least squares of log error against log resolution. NaN where an error is 0.
+double order_of(const std::vector<int>& resolutions, const std::vector<double>& errors);
+
+/// What was measured of one setting of one method: an error, and what it costs in the unit of its scene.
+struct Measured {
+    std::string setting;
+    double error = 0;
+    double cost = 0;
+};
+
+/// The cheapest settings by scene, in the order in which scenes were first added.
+class Choices {
+  public:
+    void add(const std::string& scene, Measured measured);
+    /// One row a scene: for each tolerance the cheapest setting whose error is no more.
+    void print() const;
+
+  private:
+    struct Scene {
+        std::string name;
+        std::vector<Measured> measured;
+    };
+    std::vector<Scene> scenes_;
+};
+
+void report_floor(const Options& options, Choices& choices);
+void report_light(const Options& options);
+void report_beams(const Options& options, Choices& choices);
+void report_waves(const Options& options, Choices& choices);
+
+}  // namespace waterlight::accuracy
