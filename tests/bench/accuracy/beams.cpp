@@ -62,11 +62,12 @@ void report_slices(const Options& options, Choices& choices) {
     const double focus = first_focus_m(scene);
     const auto backends = renderers(options);
     fmt::print(
-        "\n### Plane irradiance on slices\n\nThe sine, one slice of some {0} x {0} cells, as many columns and rows of "
-        "beams as "
-        "of cells, against the truth. Times are of\nmaking the beams and filling the slice, as multiples of the floor "
-        "map with "
-        "`pixel` at that depth.\n",
+        R"(
+### Plane irradiance on slices
+
+The sine, one slice of {0} x {0} cells, as many columns and rows of beams as of cells, against the truth. Times are of making
+the beams and filling the slice, as multiples of the floor map with `pixel` at that depth.
+)",
         map_side(options));
     std::vector<std::string> heads{"depth", "columns a wave", "RMSE", "RMSE in 4 columns", "pixel cpu, ms", "cpu"};
     if (options.context) heads.emplace_back("vulkan");
@@ -77,7 +78,7 @@ void report_slices(const Options& options, Choices& choices) {
         std::vector<double> errors, boxes;
         for (int n = 16; n <= (options.quick ? 64 : 256); n *= 2) {
             Slice slice(scene, factor * focus, n, map_side(options));
-            const std::vector<Timed> times = slice.measure(backends, options.quick ? .05 : .4);
+            const std::vector<Timed> times = slice.measure(backends, options.quick ? .05 : .8);
             const Field<double> truth = truth_at_pixels(scene, fine, n);
             const auto error = [&](const BeamVolume& volume, int box) {
                 return relative_rms(box_means(volume.plane_irradiance, box, 1), box_means(truth, box, 1));
@@ -89,7 +90,7 @@ void report_slices(const Options& options, Choices& choices) {
                                            fmt::format("{:.2f}", times[0].ms)};
             const double area = slice.grid.width_m() * slice.grid.height_m();
             for (std::size_t k = 0; k < backends.size(); ++k) {
-                cells.push_back(fmt::format("{:.3g}", times[k + 1].ratio));
+                cells.push_back(digits(times[k + 1].ratio));
                 choices.add(fmt::format("beams, slice of the sine, {}", words),
                             {fmt::format("{} columns, {}", n, backends[k]->backend()), error(slice.volumes[k], n / 16),
                              1e3 * times[k + 1].ms * wave_m * wave_m / area});
@@ -146,9 +147,12 @@ struct FlatPool {
 void report_pictures(const Options& options, Choices& choices) {
     const auto backends = renderers(options);
     fmt::print(
-        "\n### Pictures of flat water\n\nA pool of 10 x 10 x 4 m seen off its axis, 180 x 120 pixels, against the "
-        "closed form "
-        "of single scatter; beams made anew.\nVulkan's time is a multiple of the CPU's.\n");
+        R"(
+### Pictures of flat water
+
+A pool of 10 x 10 x 4 m seen off its axis, 180 x 120 pixels, against the closed form of single scatter; beams made anew.
+Vulkan's time is a multiple of the CPU's.
+)");
     std::vector<std::string> heads{"cells of beams", "RMSE cpu", "cpu, ms"};
     if (options.context) heads.insert(heads.end(), {"RMSE vulkan", "vulkan"});
     print_heads(heads);
@@ -170,7 +174,7 @@ void report_pictures(const Options& options, Choices& choices) {
         for (std::size_t k = 0; k < backends.size(); ++k) {
             const double error = relative_rms(box_means(images[k].radiance, 1, 1), law);
             cells.push_back(percent(error));
-            cells.push_back(k == 0 ? fmt::format("{:.2f}", times[k].ms) : fmt::format("{:.3g}", times[k].ratio));
+            cells.push_back(k == 0 ? fmt::format("{:.2f}", times[k].ms) : digits(times[k].ratio));
             choices.add("picture of flat water (ms a picture)",
                         {fmt::format("{} x {}, {}", n, n, backends[k]->backend()), error, times[k].ms});
         }

@@ -38,6 +38,7 @@ struct Row {
     std::vector<Errors> errors;  ///< by method
     std::vector<Timed> cpu;
     std::vector<Timed> vulkan;  ///< the CPU's first once more, then Vulkan's; empty without a device
+    std::vector<Errors> vulkan_errors;
 };
 
 Errors errors_of(const Scene& scene, const FloorMap& map, const Field<double>& truth) {
@@ -53,30 +54,27 @@ Errors errors_of(const Scene& scene, const FloorMap& map, const Field<double>& t
             found / exact};
 }
 
-/// Maps of all methods over the same periods, each with a surface of as many cells as samples.
+/// Maps over the same periods, each with a surface of as many cells as samples.
 class Maps {
   public:
-    Maps(const Options& options, const Place& place, int p) : grid_(many_periods(place.scene, p, map_side(options))) {
-        for (const Method& m : methods) add(place, m, make_floor_cpu(settings(place, m)));
-        if (!options.context) return;
-        for (const Method& m : methods) add(place, m, make_floor_vulkan(settings(place, m), options.context));
-    }
+    Maps(const Place& place, int p, int side) : place_(place), grid_(many_periods(place.scene, p, side)) {}
 
-    Row measure(const Place& place, int p, const Field<double>& truth, double budget_s) {
-        std::vector<std::function<void()>> cpu, vulkan;
-        for (std::size_t k = 0; k < jobs_.size(); ++k) {
-            Job& job = jobs_[k];
-            const auto work = [&job] { job.mapper->compute(job.surface, job.map); };
-            if (k < methods.size()) cpu.emplace_back(work);
-            if (k == 0 || k >= methods.size()) vulkan.emplace_back(work);
-        }
-        Row row{p, {}, {}, time_together(cpu, budget_s), {}};
-        if (vulkan.size() > 1) row.vulkan = time_together(vulkan, budget_s);
-        row.window = jobs_.front().map.window;
-        for (std::size_t k = 0; k < methods.size(); ++k)
-            row.errors.push_back(errors_of(place.scene, jobs_[k].map, truth));
-        return row;
+    void add(const Method& m, const std::function<std::unique_ptr<FloorMapper>(const FloorSettings&)>& make) {
+        FloorSettings s;
+        s.plan = cover(grid_, grid_.nx, grid_.ny);
+        s.footprint = m.footprint;
+        s.samples_per_pixel = m.samples;
+        s.depth_m = place_.depth_m;
+        s.sun = place_.scene.sun;
+        const Grid cells = make_grid(m.samples * grid_.nx, m.samples * grid_.ny, grid_.width_m(), grid_.height_m());
+        jobs_.push_back({test::sample(cells, periodic, place_.scene.waves), make(s), {}});
     }
+    std::vector<Timed> time(double budget_s) {
+        std::vector<std::function<void()>> works;
+        for (Job& job : jobs_) works.emplace_back([&job] { job.mapper->compute(job.surface, job.map); });
+        return time_together(works, budget_s);
+    }
+    const FloorMap& map(std::size_t k) const { return jobs_[k].map; }
     const Grid& grid() const { return grid_; }
 
   private:
@@ -85,21 +83,7 @@ class Maps {
         std::unique_ptr<FloorMapper> mapper;
         FloorMap map;
     };
-
-    FloorSettings settings(const Place& place, const Method& m) const {
-        FloorSettings s;
-        s.plan = cover(grid_, grid_.nx, grid_.ny);
-        s.footprint = m.footprint;
-        s.samples_per_pixel = m.samples;
-        s.depth_m = place.depth_m;
-        s.sun = place.scene.sun;
-        return s;
-    }
-    void add(const Place& place, const Method& m, std::unique_ptr<FloorMapper> mapper) {
-        const Grid cells = make_grid(m.samples * grid_.nx, m.samples * grid_.ny, grid_.width_m(), grid_.height_m());
-        jobs_.push_back({test::sample(cells, periodic, place.scene.waves), std::move(mapper), {}});
-    }
-
+    const Place& place_;
     Grid grid_;
     std::vector<Job> jobs_;
 };
@@ -109,22 +93,44 @@ double us_a_square_wave(double ms, const Grid& grid) {
     return 1e3 * ms * wave_m * wave_m / (grid.width_m() * grid.height_m());
 }
 
+/// A program that plays a GPU takes seconds for a map of a wide window.
+bool plays_a_gpu(const gpu::Context& context) { return context.device().type == gpu::DeviceType::cpu; }
+constexpr int most_pixels_played = 64;
+
+Row measure_one(const Options& options, const Place& place, int p, const Field<double>& truth, Choices& choices) {
+    const double budget_s = options.quick ? .03 : .7;
+    const auto choose = [&](std::size_t m, const char* backend, const Errors& e, double ms, const Grid& grid) {
+        choices.add(place.where(),
+                    {fmt::format("{}, {}, {}", methods[m].name, p, backend), e.sixteenth, us_a_square_wave(ms, grid)});
+    };
+    Maps cpu(place, p, map_side(options));
+    for (const Method& m : methods) cpu.add(m, make_floor_cpu);
+    Row row;
+    row.p = p;
+    row.cpu = cpu.time(budget_s);
+    row.window = cpu.map(0).window;
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+        row.errors.push_back(errors_of(place.scene, cpu.map(m), truth));
+        choose(m, "cpu", row.errors[m], row.cpu[m].ms, cpu.grid());
+    }
+    if (!options.context || (plays_a_gpu(*options.context) && p > most_pixels_played)) return row;
+    Maps vulkan(place, p, plays_a_gpu(*options.context) ? map_side(options) / 2 : map_side(options));
+    vulkan.add(methods[0], make_floor_cpu);
+    for (const Method& m : methods)
+        vulkan.add(m, [&](const FloorSettings& s) { return make_floor_vulkan(s, options.context); });
+    row.vulkan = vulkan.time(budget_s / 2);
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+        row.vulkan_errors.push_back(errors_of(place.scene, vulkan.map(m + 1), truth));
+        choose(m, "vulkan", row.vulkan_errors[m], row.vulkan[m + 1].ms, vulkan.grid());
+    }
+    return row;
+}
+
 std::vector<Row> measure(const Options& options, const Place& place, const std::vector<int>& resolutions,
                          const TruthMap& fine, Choices& choices) {
     std::vector<Row> rows;
-    for (const int p : resolutions) {
-        Maps maps(options, place, p);
-        rows.push_back(maps.measure(place, p, truth_at_pixels(place.scene, fine, p), options.quick ? .03 : .25));
-        const Row& row = rows.back();
-        for (std::size_t m = 0; m < methods.size(); ++m) {
-            const auto add = [&](const char* backend, const Timed& t) {
-                choices.add(place.where(), {fmt::format("{}, {}, {}", methods[m].name, p, backend),
-                                            row.errors[m].sixteenth, us_a_square_wave(t.ms, maps.grid())});
-            };
-            add("cpu", row.cpu[m]);
-            if (!row.vulkan.empty()) add("vulkan", row.vulkan[m + 1]);
-        }
-    }
+    for (const int p : resolutions)
+        rows.push_back(measure_one(options, place, p, truth_at_pixels(place.scene, fine, p), choices));
     return rows;
 }
 
@@ -165,22 +171,25 @@ std::vector<std::string> error_heads(const std::string& first, const std::string
     return heads;
 }
 
-void print_times(const Place& place, const std::vector<Row>& rows) {
+std::vector<std::string> time_heads(const Options& options) {
+    std::vector<std::string> heads{"depth", "pixels", "window", "pixel cpu, ms", "adaptive cpu", "adaptive, 2 x 2 cpu"};
+    if (!options.context) return heads;
+    for (const char* what : {" vulkan", " vulkan, RMSE"})
+        for (const Method& m : methods) heads.push_back(m.name + what);
+    return heads;
+}
+
+void print_times(const Options& options, const Place& place, const std::vector<Row>& rows) {
     for (const Row& row : rows) {
         std::vector<std::string> cells{place.depth, std::to_string(row.p),
                                        fmt::format("{} x {}", row.window.samples, row.window.channels),
                                        fmt::format("{:.2f}", row.cpu[0].ms)};
         for (std::size_t m = 1; m < methods.size(); ++m) cells.push_back(fmt::format("{:.1f}", row.cpu[m].ratio));
-        for (std::size_t k = 1; k < row.vulkan.size(); ++k) cells.push_back(fmt::format("{:.3g}", row.vulkan[k].ratio));
+        for (std::size_t k = 1; k < row.vulkan.size(); ++k) cells.push_back(digits(row.vulkan[k].ratio));
+        for (const Errors& e : row.vulkan_errors) cells.push_back(percent(e.pixel));
+        cells.resize(time_heads(options).size());
         print_row(cells);
     }
-}
-
-std::vector<std::string> time_heads(const Options& options) {
-    std::vector<std::string> heads{"depth", "pixels", "window", "pixel cpu, ms", "adaptive cpu", "adaptive, 2 x 2 cpu"};
-    if (options.context)
-        for (const Method& m : methods) heads.push_back(m.name + " vulkan");
-    return heads;
 }
 
 std::string description(const Scene& scene, double focus_m) {
@@ -188,9 +197,11 @@ std::string description(const Scene& scene, double focus_m) {
                        scene.name, scene.period_m.x, scene.period_m.y, scene.sun.elevation_deg, focus_m);
 }
 
+int truth_pixels(const Scene& scene) { return std::min(64, scene.finest / 2); }
+
 /// The truth as a method: what fewer samples give.
 void measure_truth(const Place& place, const TruthMap& fine, Choices& choices) {
-    const int p = std::min(64, place.scene.finest / 2), ny = place.scene.aspect > 0 ? place.scene.aspect * p : p;
+    const int p = truth_pixels(place.scene), ny = place.scene.aspect > 0 ? place.scene.aspect * p : p;
     const bool lines = place.scene.aspect == 0;
     const Grid grid = make_grid(p, ny, place.scene.period_m.x, lines ? place.scene.period_m.x : place.scene.period_m.y);
     const Surface surface = test::sample(grid, periodic, place.scene.waves);
@@ -209,7 +220,7 @@ void measure_truth(const Place& place, const TruthMap& fine, Choices& choices) {
         const auto times =
             time_together({[&] { mapper->compute(surface, map); },
                            [&] { truth = truth_map(t, test::as_truth(grid, periodic, place.scene.waves)); }},
-                          .1);
+                          .3);
         const Field<double> exact = truth_at_pixels(place.scene, fine, p);
         const auto in_boxes = [&](int bx, int by) {
             return relative_rms(box_means(truth.irradiance, bx, lines ? 1 : by), box_means(exact, bx, lines ? 1 : by));
@@ -218,7 +229,7 @@ void measure_truth(const Place& place, const TruthMap& fine, Choices& choices) {
         choices.add(place.where(), {fmt::format("truth, {}, {} samples", p, truth.subsamples), sixteenth,
                                     us_a_square_wave(times[1].ms, grid)});
         print_row({place.scene.name, place.depth, std::to_string(truth.subsamples), judged(error, fine.error_estimate),
-                   percent(truth.error_estimate), fmt::format("{:.3g}", times[1].ratio)});
+                   percent(truth.error_estimate), digits(times[1].ratio)});
     }
 }
 
@@ -233,7 +244,7 @@ void report_scene(const Options& options, const Scene& scene, std::vector<Depth>
     const double focus = first_focus_m(scene);
     fmt::print("{}", description(scene, focus));
     std::vector<int> resolutions;
-    for (int p = 16; p <= (options.quick ? 32 : scene.finest); p *= 2) resolutions.push_back(p);
+    for (int p = 16; p <= (options.quick ? 64 : scene.finest); p *= 2) resolutions.push_back(p);
     print_heads(error_heads("depth", "pixels"));
     const std::size_t first = all.size();
     for (const auto& [factor, words] : {std::pair{.5, "half the focus"}, {1.0, "at it"}, {2.0, "twice"}}) {
@@ -246,12 +257,16 @@ void report_scene(const Options& options, const Scene& scene, std::vector<Depth>
     }
     fmt::print("\nTimes of those maps, all but the first as multiples of the first:\n");
     print_heads(time_heads(options));
-    for (std::size_t k = first; k < all.size(); ++k) print_times(all[k].place, all[k].rows);
+    for (std::size_t k = first; k < all.size(); ++k) print_times(options, all[k].place, all[k].rows);
 }
 
 void report_steepness(const Options& options) {
     fmt::print(
-        "\n### Steepness\n\nThe sine of other heights, 128 pixels a wave, each at depths by its own first focus:\n");
+        R"(
+### Steepness
+
+The sine of other heights, 128 pixels a wave, each at depths by its own first focus:
+)");
     print_heads(error_heads("ka", "depth, m"));
     const double k = 2 * std::numbers::pi / wave_m;
     for (const double ka : {.02, .05, .1, .2, .3}) {
@@ -277,9 +292,10 @@ void report_floor(const Options& options, Choices& choices) {
 Waves of {1} m in water of n = 4/3. `pixels` are those of a period along x; a surface has as many cells as the map has
 samples. Errors are relative RMSE of pixel averages, then of averages over 4 x 4 pixels, then the light on the map over that
 of the truth, less one. `~` marks an error of which the truth's own may be more than a third. Times are of maps of
-{0} x {0} pixels and somewhat more.
+{0} x {0} pixels and somewhat more; on Vulkan, where a program plays the GPU, of half that along each side and up to
+{2} pixels a period.
 )",
-               map_side(options), wave_m);
+               map_side(options), wave_m, most_pixels_played);
     std::vector<Scene> scenes{frozen_sine(.01), egg_crate(), crossed_waves(), skew_wave()};
     if (options.quick) {
         scenes = {frozen_sine(.01), crossed_waves()};
@@ -289,9 +305,13 @@ of the truth, less one. `~` marks an error of which the truth's own may be more 
     for (const Scene& scene : scenes) report_scene(options, scene, all, choices);
     report_steepness(options);
     fmt::print(
-        "\n### The truth itself\n\nOf few samples a pixel and axis, 64 pixels a period, against the truth of the "
-        "tables above; "
-        "its time as a multiple of\nthat of `pixel` of the same map:\n");
+        R"(
+### The truth itself
+
+Of few samples a pixel and axis, {} pixels a period, against the truth of the tables above; its time as a multiple of that
+of `pixel` of the same map:
+)",
+        truth_pixels(all.front().place.scene));
     print_heads({"scene", "depth", "samples", "error", "its own estimate", "times pixel"});
     for (const Depth& depth : all) measure_truth(depth.place, depth.fine, choices);
 }

@@ -34,14 +34,26 @@ Field<double> truth_of_the_disc(const Scene& scene, double depth_m, int p, int s
     return test::truth_of(test::sun_chords(sun_deg, suns), t, test::as_truth(line, periodic, scene.waves));
 }
 
+/// Of the disc on the floor below flat water, the sun overhead.
+double disc_radius_m(double depth_m) {
+    FloorSettings s;
+    s.plan = cover(make_grid(1, 1, 1, 1), 1000, 1000);
+    s.depth_m = depth_m;
+    return 2 * std::sqrt(disc_spread(s, sun_deg).xx) / 1000;
+}
+
 void report_disc(const Options& options) {
     const Scene scene = frozen_sine(.01);
     const double depth = first_focus_m(scene);
     const int finest = options.quick ? 64 : 256, suns = options.quick ? 40 : 120;
     fmt::print(
-        "\n### The sun's disc\n\nThe sine at its focus, {:.3f} m, half-angle {} degrees: the adaptive map, convolved, "
-        "against the truth of {} suns.\nPeaks are of pixel averages, E0 = 1 W/m2.\n",
-        depth, sun_deg, suns);
+        R"(
+### The sun's disc
+
+The sine at its focus, {:.3f} m, half-angle {} degrees: the adaptive map, convolved, against the truth of {} suns. Peaks are
+of pixel averages, E0 = 1 W/m2. On the floor the disc's radius is {:.2g} m.
+)",
+        depth, sun_deg, suns, disc_radius_m(depth));
     const Field<double> fine = truth_of_the_disc(scene, depth, finest, suns);
     print_heads({"pixels", "RMSE", "without the disc", "peak", "of the suns", "times the map without"});
     for (int p = finest; p >= 32; p /= 2) {
@@ -51,7 +63,7 @@ void report_disc(const Options& options) {
         const auto plain = make_floor_cpu(s), disc = make_sun_disc(s, sun_deg, make_floor_cpu);
         FloorMap sharp, soft;
         const auto times =
-            time_together({[&] { plain->compute(surface, sharp); }, [&] { disc->compute(surface, soft); }}, .2);
+            time_together({[&] { plain->compute(surface, sharp); }, [&] { disc->compute(surface, soft); }}, .5);
         const Field<double> truth = box_means(fine, finest / p, 1), map = box_means(soft.irradiance, 1, 1);
         print_row({std::to_string(p), percent(relative_rms(map, truth)),
                    percent(relative_rms(box_means(sharp.irradiance, 1, 1), truth)),
@@ -73,7 +85,11 @@ void report_colour(const Options& options) {
     const double depth = 0.5 * first_focus_m(scene);
     const int finest = options.quick ? 64 : 256;
     fmt::print(
-        "\n### Colour\n\nThe sine at {:.3f} m, half its focus, sun at 45 degrees, three wavelengths in fresh water.\n",
+        R"(
+### Colour
+
+The sine at {:.3f} m, half its focus, sun at 45 degrees, three wavelengths in fresh water.
+)",
         depth);
     print_heads({"pixels", "650 nm", "550 nm", "450 nm", "times one map"});
     for (int p = 32; p <= finest; p *= 2) {
@@ -84,7 +100,7 @@ void report_colour(const Options& options) {
         SpectralFloor colour(s, three_bands(), make_floor_cpu);
         FloorMap one, sum;
         const auto times =
-            time_together({[&] { plain->compute(surface, one); }, [&] { colour.compute(surface, sum); }}, .2);
+            time_together({[&] { plain->compute(surface, one); }, [&] { colour.compute(surface, sum); }}, .5);
         std::vector<std::string> cells{std::to_string(p)};
         for (const BandMap& band : colour.maps()) {
             TruthSettings t;

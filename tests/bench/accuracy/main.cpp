@@ -39,8 +39,8 @@ metres, errors relative. The truth is `caustics/truth`, double precision, whose 
 
 Measured with {} threads of {}, {}.
 Vulkan: {}.
-Times are medians of rounds in which what is compared ran in turn, so read multiples rather than milliseconds: others may
-have used the machine.
+Times are the fastest of some rounds in which what is compared ran in turn. Others may have used the machine: read multiples
+rather than milliseconds. Every number, the last table's too, is printed by the program.
 )",
                omp_get_max_threads(), processor(), "GCC " __VERSION__,
                options.context ? options.context->device().name : "no device here, so its columns are missing");

@@ -39,18 +39,26 @@ void print_heads(const std::vector<std::string>& heads) {
     print_row(std::vector<std::string>(heads.size(), "---:"));
 }
 
-std::string percent(double part) { return fmt::format("{:.2g} %", 100 * part); }
+std::string digits(double value) {
+    if (value < 99.5 || !std::isfinite(value)) return fmt::format("{:.2g}", value);
+    const double last = std::pow(10, std::floor(std::log10(value)) - 1);
+    return fmt::format("{:.0f}", last * std::round(value / last));
+}
+
+std::string percent(double part) { return digits(100 * part) + " %"; }
 
 std::vector<Timed> time_together(const std::vector<std::function<void()>>& works, double budget_s) {
-    constexpr int most_rounds = 25;
+    constexpr int least_rounds = 4, most_rounds = 25;
     std::vector<double> fastest(works.size(), std::numeric_limits<double>::infinity());
     double spent = 0;
-    for (int round = 0; round < 3 || (spent < budget_s && round < most_rounds); ++round) {
-        for (std::size_t k = 0; k < works.size(); ++k) {
+    for (int round = 0; round < least_rounds || (spent < budget_s && round < most_rounds); ++round) {
+        const auto call = [&](std::size_t k) {
             const double s = seconds_of(works[k]);
             spent += s;
             if (round > 0) fastest[k] = std::min(fastest[k], s);
-        }
+        };
+        call(0);
+        for (std::size_t k = 1; k < works.size(); ++k) call(k), call(0);
     }
     std::vector<Timed> times;
     for (const double s : fastest) times.push_back({1e3 * s, s / fastest.front()});
@@ -97,7 +105,8 @@ void Choices::print() const {
         std::vector<std::string> cells{scene.name};
         for (const double t : tolerances) {
             const Measured* best = cheapest(scene.measured, t);
-            cells.push_back(best != nullptr ? fmt::format("{}: {:.2g}", best->setting, best->cost) : "none measured");
+            cells.push_back(best != nullptr ? fmt::format("{}: {}", best->setting, digits(best->cost))
+                                            : "none measured");
         }
         print_row(cells);
     }

@@ -22,7 +22,10 @@ inline int map_side(const Options& options) { return options.quick ? 128 : 256; 
 void print_row(const std::vector<std::string>& cells);
 void print_heads(const std::vector<std::string>& heads);
 
-/// A part of one as per cent, to three digits.
+/// A number to two digits and no exponent before 0.0001.
+std::string digits(double value);
+
+/// A part of one as per cent, to two digits.
 std::string percent(double part);
 
 /// Milliseconds of one call, and its multiple of the first of the calls beside it.
@@ -31,9 +34,9 @@ struct Timed {
     double ratio = 1;
 };
 
-/// Each round calls all works in turn, so that each has the same chance of a quiet moment; the fastest of the rounds,
-/// since what others do on the machine only adds. Three rounds and up to 25, until budget_s is spent; the first warms
-/// up and does not count.
+/// Each round calls the works in turn, the first between any two, so that each has the same chance of a quiet moment;
+/// the fastest of the rounds, since what others do on the machine only adds. Four rounds and up to 25, until budget_s
+/// is spent; the first warms up and does not count.
 std::vector<Timed> time_together(const std::vector<std::function<void()>>& works, double budget_s);
 
 /// Means over boxes of bx x by values; what is over at the far sides is left out.

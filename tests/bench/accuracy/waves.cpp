@@ -99,24 +99,27 @@ Run airy(int cells) {
 
 void report_linear_waves(const Options& options, Choices& choices) {
     fmt::print(
-        "\n### `linear` and `airy`\n\nA standing wave, four waves along x and three along y between walls, five "
-        "periods in frames "
-        "frames of some 1/60 s: RMS error of the\nelevation over the amplitude's RMS. `linear` against the wave "
-        "equation and "
-        "against its own "
-        "discrete relation, `airy` against\nthe dispersion relation of textbooks. Costs are milliseconds for a second "
-        "of water, "
-        "surfaces and slopes of each frame\nincluded.\n");
+        R"(
+### `linear` and `airy`
+
+A standing wave, four waves along x and three along y between walls, five and a quarter periods in frames of some 1/60 s: RMS
+error of the elevation over the amplitude's RMS. `linear` against the wave equation and against its own discrete relation,
+`airy` against the dispersion relation of textbooks. Costs are milliseconds for a second of water, surface and slopes of each
+frame included.
+)");
     print_heads({"cells a wave", "linear", "linear, discrete", "linear, ms/s", "airy", "airy, ms/s", "airy / linear"});
     std::vector<int> resolutions;
     std::vector<double> errors;
     for (int cells = 8; cells <= (options.quick ? 32 : 128); cells *= 2) {
-        const Run a = linear(cells), b = airy(cells);
+        Run a = linear(cells), b = airy(cells);
+        for (int again = 0; again < 2; ++again) {
+            a.ms_a_second = std::min(a.ms_a_second, linear(cells).ms_a_second);
+            b.ms_a_second = std::min(b.ms_a_second, airy(cells).ms_a_second);
+        }
         resolutions.push_back(cells);
         errors.push_back(a.exact);
-        print_row({std::to_string(cells), percent(a.exact), percent(a.discrete), fmt::format("{:.3g}", a.ms_a_second),
-                   percent(b.exact), fmt::format("{:.3g}", b.ms_a_second),
-                   fmt::format("{:.2g}", b.ms_a_second / a.ms_a_second)});
+        print_row({std::to_string(cells), percent(a.exact), percent(a.discrete), digits(a.ms_a_second),
+                   percent(b.exact), digits(b.ms_a_second), digits(b.ms_a_second / a.ms_a_second)});
         choices.add("linear, standing wave (ms a second)", {fmt::format("{} cells", cells), a.exact, a.ms_a_second});
         choices.add("airy, standing wave (ms a second)", {fmt::format("{} cells", cells), b.exact, b.ms_a_second});
     }
@@ -125,9 +128,12 @@ void report_linear_waves(const Options& options, Choices& choices) {
 
 void report_dispersion() {
     fmt::print(
-        "\n### Waves of one speed\n\nHow far `linear` and `shallow-water`, whose waves all travel with sqrt(g h), are "
-        "from "
-        "`airy` at a depth of kh,\nwhatever their grid:\n");
+        R"(
+### Waves of one speed
+
+How far `linear` and `shallow-water`, whose waves all travel with sqrt(g h), are from `airy` at a depth of kh, whatever
+their grid:
+)");
     print_heads({"kh", "speed too high by", "lead after 10 waves, of a wave"});
     for (const double kh : {.1, .2, .5, 1.0, 2.0}) {
         Water water;
@@ -169,8 +175,7 @@ void exact_rows(const std::string& name, const ShallowExact& state, const Shallo
         resolutions.push_back(grid.nx);
         errors.push_back(error_of(depth, cell_means(state, grid, end_s).depth_m, s.bed_m));
         const double cost = 1e3 * seconds / end_s;
-        print_row(
-            {name, fmt::format("{} x {}", grid.nx, grid.ny), percent(errors.back()), fmt::format("{:.3g}", cost)});
+        print_row({name, fmt::format("{} x {}", grid.nx, grid.ny), percent(errors.back()), digits(cost)});
         choices.add(fmt::format("shallow-water, {} (ms a second)", name),
                     {fmt::format("{} x {} cells", grid.nx, grid.ny), errors.back(), cost});
     }
@@ -179,9 +184,12 @@ void exact_rows(const std::string& name, const ShallowExact& state, const Shallo
 
 void report_shallow_water(const Options& options, Choices& choices) {
     fmt::print(
-        "\n### `shallow-water`\n\nRMSE of depth, cell averages, over the RMS by which the water departs from still; "
-        "single precision. More solutions and L1 in "
-        "[shallow-water.md](shallow-water.md).\n");
+        R"(
+### `shallow-water`
+
+RMSE of depth, cell averages, over the RMS by which the water departs from still; single precision. More solutions, and
+errors in L1, are in [shallow-water.md](shallow-water.md).
+)");
     print_heads({"exact state", "cells", "RMSE", "ms/s"});
     const int finest = options.quick ? 64 : 256;
     std::vector<Grid> bowls, boxes;
