@@ -36,7 +36,7 @@ struct Slice {
     }
 
     /// Beside the pixel footprint's map at that depth, which is the first.
-    std::vector<Timed> measure(const std::vector<std::unique_ptr<BeamRenderer>>& backends, double budget_s) {
+    std::vector<Timed> measure(const Options& options, const std::vector<std::unique_ptr<BeamRenderer>>& backends) {
         FloorSettings floor;
         floor.plan = cover(grid, grid.nx, grid.ny);
         floor.footprint = Footprint::pixel;
@@ -53,7 +53,7 @@ struct Slice {
                 backends[k]->fill(beams[k], {grid.nx, grid.ny, 1}, volumes[k]);
             });
         }
-        return time_together(works, budget_s);
+        return time_together(options, works, options.quick ? .05 : .8);
     }
 };
 
@@ -78,7 +78,7 @@ the beams and filling the slice, as multiples of the floor map with `pixel` at t
         std::vector<double> errors, boxes;
         for (int n = 16; n <= (options.quick ? 64 : 256); n *= 2) {
             Slice slice(scene, factor * focus, n, map_side(options));
-            const std::vector<Timed> times = slice.measure(backends, options.quick ? .05 : .8);
+            const std::vector<Timed> times = slice.measure(options, backends);
             const Field<double> truth = truth_at_pixels(scene, fine, n);
             const auto error = [&](const BeamVolume& volume, int box) {
                 return relative_rms(box_means(volume.plane_irradiance, box, 1), box_means(truth, box, 1));
@@ -93,7 +93,7 @@ the beams and filling the slice, as multiples of the floor map with `pixel` at t
                 cells.push_back(digits(times[k + 1].ratio));
                 choices.add(fmt::format("beams, slice of the sine, {}", words),
                             {fmt::format("{} columns, {}", n, backends[k]->backend()), error(slice.volumes[k], n / 16),
-                             1e3 * times[k + 1].ms * wave_m * wave_m / area});
+                             times[k + 1].pixels * wave_m * wave_m / area});
             }
             print_row(cells);
         }
@@ -169,14 +169,14 @@ Vulkan's time is a multiple of the CPU's.
                 backends[k]->draw(pool.picture, beams[k], images[k]);
             });
         }
-        const std::vector<Timed> times = time_together(works, .2);
+        const std::vector<Timed> times = time_together(options, works, .5);
         std::vector<std::string> cells{fmt::format("{} x {}", n, n)};
         for (std::size_t k = 0; k < backends.size(); ++k) {
             const double error = relative_rms(box_means(images[k].radiance, 1, 1), law);
             cells.push_back(percent(error));
             cells.push_back(k == 0 ? fmt::format("{:.2f}", times[k].ms) : digits(times[k].ratio));
-            choices.add("picture of flat water (ms a picture)",
-                        {fmt::format("{} x {}, {}", n, n, backends[k]->backend()), error, times[k].ms});
+            choices.add("picture of flat water (thousands a picture)",
+                        {fmt::format("{} x {}, {}", n, n, backends[k]->backend()), error, 1e-3 * times[k].pixels});
         }
         print_row(cells);
     }

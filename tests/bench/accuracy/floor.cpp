@@ -69,10 +69,10 @@ class Maps {
         const Grid cells = make_grid(m.samples * grid_.nx, m.samples * grid_.ny, grid_.width_m(), grid_.height_m());
         jobs_.push_back({test::sample(cells, periodic, place_.scene.waves), make(s), {}});
     }
-    std::vector<Timed> time(double budget_s) {
+    std::vector<Timed> time(const Options& options, double budget_s) {
         std::vector<std::function<void()>> works;
         for (Job& job : jobs_) works.emplace_back([&job] { job.mapper->compute(job.surface, job.map); });
-        return time_together(works, budget_s);
+        return time_together(options, works, budget_s);
     }
     const FloorMap& map(std::size_t k) const { return jobs_[k].map; }
     const Grid& grid() const { return grid_; }
@@ -88,9 +88,9 @@ class Maps {
     std::vector<Job> jobs_;
 };
 
-/// Microseconds for a square of one wavelength each way.
-double us_a_square_wave(double ms, const Grid& grid) {
-    return 1e3 * ms * wave_m * wave_m / (grid.width_m() * grid.height_m());
+/// The yardstick's pixels for a square of one wavelength each way.
+double for_a_square_wave(const Timed& time, const Grid& grid) {
+    return time.pixels * wave_m * wave_m / (grid.width_m() * grid.height_m());
 }
 
 /// A program that plays a GPU takes seconds for a map of a wide window.
@@ -99,29 +99,29 @@ constexpr int most_pixels_played = 64;
 
 Row measure_one(const Options& options, const Place& place, int p, const Field<double>& truth, Choices& choices) {
     const double budget_s = options.quick ? .03 : .7;
-    const auto choose = [&](std::size_t m, const char* backend, const Errors& e, double ms, const Grid& grid) {
+    const auto choose = [&](std::size_t m, const char* backend, const Errors& e, const Timed& t, const Grid& grid) {
         choices.add(place.where(),
-                    {fmt::format("{}, {}, {}", methods[m].name, p, backend), e.sixteenth, us_a_square_wave(ms, grid)});
+                    {fmt::format("{}, {}, {}", methods[m].name, p, backend), e.sixteenth, for_a_square_wave(t, grid)});
     };
     Maps cpu(place, p, map_side(options));
     for (const Method& m : methods) cpu.add(m, make_floor_cpu);
     Row row;
     row.p = p;
-    row.cpu = cpu.time(budget_s);
+    row.cpu = cpu.time(options, budget_s);
     row.window = cpu.map(0).window;
     for (std::size_t m = 0; m < methods.size(); ++m) {
         row.errors.push_back(errors_of(place.scene, cpu.map(m), truth));
-        choose(m, "cpu", row.errors[m], row.cpu[m].ms, cpu.grid());
+        choose(m, "cpu", row.errors[m], row.cpu[m], cpu.grid());
     }
     if (!options.context || (plays_a_gpu(*options.context) && p > most_pixels_played)) return row;
     Maps vulkan(place, p, plays_a_gpu(*options.context) ? map_side(options) / 2 : map_side(options));
     vulkan.add(methods[0], make_floor_cpu);
     for (const Method& m : methods)
         vulkan.add(m, [&](const FloorSettings& s) { return make_floor_vulkan(s, options.context); });
-    row.vulkan = vulkan.time(budget_s / 2);
+    row.vulkan = vulkan.time(options, budget_s / 2);
     for (std::size_t m = 0; m < methods.size(); ++m) {
         row.vulkan_errors.push_back(errors_of(place.scene, vulkan.map(m + 1), truth));
-        choose(m, "vulkan", row.vulkan_errors[m], row.vulkan[m + 1].ms, vulkan.grid());
+        choose(m, "vulkan", row.vulkan_errors[m], row.vulkan[m + 1], vulkan.grid());
     }
     return row;
 }
@@ -200,7 +200,7 @@ std::string description(const Scene& scene, double focus_m) {
 int truth_pixels(const Scene& scene) { return std::min(64, scene.finest / 2); }
 
 /// The truth as a method: what fewer samples give.
-void measure_truth(const Place& place, const TruthMap& fine, Choices& choices) {
+void measure_truth(const Options& options, const Place& place, const TruthMap& fine, Choices& choices) {
     const int p = truth_pixels(place.scene), ny = place.scene.aspect > 0 ? place.scene.aspect * p : p;
     const bool lines = place.scene.aspect == 0;
     const Grid grid = make_grid(p, ny, place.scene.period_m.x, lines ? place.scene.period_m.x : place.scene.period_m.y);
@@ -218,7 +218,8 @@ void measure_truth(const Place& place, const TruthMap& fine, Choices& choices) {
         TruthMap truth;
         FloorMap map;
         const auto times =
-            time_together({[&] { mapper->compute(surface, map); },
+            time_together(options,
+                          {[&] { mapper->compute(surface, map); },
                            [&] { truth = truth_map(t, test::as_truth(grid, periodic, place.scene.waves)); }},
                           .3);
         const Field<double> exact = truth_at_pixels(place.scene, fine, p);
@@ -227,7 +228,7 @@ void measure_truth(const Place& place, const TruthMap& fine, Choices& choices) {
         };
         const double error = in_boxes(1, 1), sixteenth = in_boxes(p / 16, p / 16 * std::max(1, place.scene.aspect / 2));
         choices.add(place.where(), {fmt::format("truth, {}, {} samples", p, truth.subsamples), sixteenth,
-                                    us_a_square_wave(times[1].ms, grid)});
+                                    for_a_square_wave(times[1], grid)});
         print_row({place.scene.name, place.depth, std::to_string(truth.subsamples), judged(error, fine.error_estimate),
                    percent(truth.error_estimate), digits(times[1].ratio)});
     }
@@ -277,7 +278,8 @@ The sine of other heights, 128 pixels a wave, each at depths by its own first fo
             const Place place{scene, factor * focus, fmt::format("{:.3g}", factor * focus)};
             const TruthMap fine = fine_truth(scene, place.depth_m);
             Choices unused;
-            const std::vector<Row> rows = measure({options.quick, nullptr}, place, {128}, fine, unused);
+            const std::vector<Row> rows =
+                measure({options.quick, nullptr, options.yardstick}, place, {128}, fine, unused);
             print_row(error_cells({fmt::format("{:g}", ka), place.depth}, rows[0], fine.error_estimate));
         }
     }
@@ -313,7 +315,7 @@ of `pixel` of the same map:
 )",
         truth_pixels(all.front().place.scene));
     print_heads({"scene", "depth", "samples", "error", "its own estimate", "times pixel"});
-    for (const Depth& depth : all) measure_truth(depth.place, depth.fine, choices);
+    for (const Depth& depth : all) measure_truth(options, depth.place, depth.fine, choices);
 }
 
 }  // namespace waterlight::accuracy

@@ -62,8 +62,8 @@ of pixel averages, E0 = 1 W/m2. On the floor the disc's radius is {:.2g} m.
         const FloorSettings s = settings_of(scene, grid, depth);
         const auto plain = make_floor_cpu(s), disc = make_sun_disc(s, sun_deg, make_floor_cpu);
         FloorMap sharp, soft;
-        const auto times =
-            time_together({[&] { plain->compute(surface, sharp); }, [&] { disc->compute(surface, soft); }}, .5);
+        const auto times = time_together(
+            options, {[&] { plain->compute(surface, sharp); }, [&] { disc->compute(surface, soft); }}, .5);
         const Field<double> truth = box_means(fine, finest / p, 1), map = box_means(soft.irradiance, 1, 1);
         print_row({std::to_string(p), percent(relative_rms(map, truth)),
                    percent(relative_rms(box_means(sharp.irradiance, 1, 1), truth)),
@@ -100,7 +100,7 @@ The sine at {:.3f} m, half its focus, sun at 45 degrees, three wavelengths in fr
         SpectralFloor colour(s, three_bands(), make_floor_cpu);
         FloorMap one, sum;
         const auto times =
-            time_together({[&] { plain->compute(surface, one); }, [&] { colour.compute(surface, sum); }}, .5);
+            time_together(options, {[&] { plain->compute(surface, one); }, [&] { colour.compute(surface, sum); }}, .5);
         std::vector<std::string> cells{std::to_string(p)};
         for (const BandMap& band : colour.maps()) {
             TruthSettings t;

@@ -47,21 +47,26 @@ std::string digits(double value) {
 
 std::string percent(double part) { return digits(100 * part) + " %"; }
 
-std::vector<Timed> time_together(const std::vector<std::function<void()>>& works, double budget_s) {
+std::vector<Timed> time_together(const Options& options, const std::vector<std::function<void()>>& works,
+                                 double budget_s) {
     constexpr int least_rounds = 4, most_rounds = 25;
-    std::vector<double> fastest(works.size(), std::numeric_limits<double>::infinity());
-    double spent = 0;
+    constexpr double never = std::numeric_limits<double>::infinity();
+    std::vector<double> fastest(works.size(), never);
+    double yardstick_s = never, spent = 0;
     for (int round = 0; round < least_rounds || (spent < budget_s && round < most_rounds); ++round) {
-        const auto call = [&](std::size_t k) {
-            const double s = seconds_of(works[k]);
+        const auto call = [&](const std::function<void()>& work, double& least) {
+            const double s = seconds_of(work);
             spent += s;
-            if (round > 0) fastest[k] = std::min(fastest[k], s);
+            if (round > 0) least = std::min(least, s);
         };
-        call(0);
-        for (std::size_t k = 1; k < works.size(); ++k) call(k), call(0);
+        for (std::size_t k = 0; k < works.size(); ++k) {
+            call(works[k], fastest[k]);
+            if (k > 0) call(works[0], fastest[0]);
+            call(options.yardstick, yardstick_s);
+        }
     }
     std::vector<Timed> times;
-    for (const double s : fastest) times.push_back({1e3 * s, s / fastest.front()});
+    for (const double s : fastest) times.push_back({1e3 * s, s / fastest.front(), yardstick_pixels * s / yardstick_s});
     return times;
 }
 

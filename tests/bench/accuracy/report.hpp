@@ -11,9 +11,12 @@
 
 namespace waterlight::accuracy {
 
+inline constexpr int yardstick_pixels = 256 * 256;
+
 struct Options {
     bool quick = false;                     ///< a few settings only, on small maps
     std::shared_ptr<gpu::Context> context;  ///< null: no Vulkan device
+    std::function<void()> yardstick;        ///< a map of yardstick_pixels: what costs are counted in
 };
 
 /// Pixels or cells along each side of what is timed, at least.
@@ -28,16 +31,18 @@ std::string digits(double value);
 /// A part of one as per cent, to two digits.
 std::string percent(double part);
 
-/// Milliseconds of one call, and its multiple of the first of the calls beside it.
+/// One call's time.
 struct Timed {
     double ms = 0;
-    double ratio = 1;
+    double ratio = 1;   ///< over that of the first of the calls beside it
+    double pixels = 0;  ///< of the yardstick's map that take as long
 };
 
-/// Each round calls the works in turn, the first between any two, so that each has the same chance of a quiet moment;
-/// the fastest of the rounds, since what others do on the machine only adds. Four rounds and up to 25, until budget_s
-/// is spent; the first warms up and does not count.
-std::vector<Timed> time_together(const std::vector<std::function<void()>>& works, double budget_s);
+/// Each round calls the works in turn, the first and the yardstick between any two, so that each has the same chance of
+/// a quiet moment; the fastest of the rounds, since what others do on the machine only adds. Four rounds and up to 25,
+/// until budget_s is spent; the first warms up and does not count.
+std::vector<Timed> time_together(const Options& options, const std::vector<std::function<void()>>& works,
+                                 double budget_s);
 
 /// Means over boxes of bx x by values; what is over at the far sides is left out.
 template <class T>
@@ -54,7 +59,8 @@ double relative_rms(const Field<double>& found, const Field<double>& exact);
 /// The order of convergence: least squares of log error against log resolution. NaN where an error is 0.
 double order_of(const std::vector<int>& resolutions, const std::vector<double>& errors);
 
-/// What was measured of one setting of one method: an error, and what it costs in the unit of its scene.
+/// What was measured of one setting of one method: an error, and what it costs in the unit that its scene's name
+/// states.
 struct Measured {
     std::string setting;
     double error = 0;

@@ -96,6 +96,22 @@ Field<double> truth_at_pixels(const Scene& scene, const TruthMap& fine, int p) {
     return box_means(fine.irradiance, box, scene.aspect > 0 ? box : 1);
 }
 
+std::function<void()> make_yardstick() {
+    struct Yardstick {
+        Surface surface;
+        std::unique_ptr<FloorMapper> mapper;
+        FloorMap map;
+    };
+    const Scene scene = frozen_sine(.01);
+    const Grid grid = many_periods(scene, 64, 256);
+    FloorSettings s;
+    s.plan = cover(grid, grid.nx, grid.ny);
+    s.footprint = Footprint::pixel;
+    s.sun = scene.sun;
+    auto all = std::make_shared<Yardstick>(test::sample(grid, periodic, scene.waves), make_floor_cpu(s), FloorMap{});
+    return [all] { all->mapper->compute(all->surface, all->map); };
+}
+
 Grid many_periods(const Scene& scene, int p, int side) {
     const auto copies = [side](int pixels) { return (side + pixels - 1) / pixels; };
     const int nx = p * copies(p);

@@ -34,6 +34,9 @@ TruthMap fine_truth(const Scene& scene, double depth_m);
 /// The same in pixels of which a period has p along x.
 Field<double> truth_at_pixels(const Scene& scene, const TruthMap& fine, int p);
 
+/// Computes the yardstick, a map of 256 x 256 pixels with the pixel footprint, of the sine at 1 m.
+std::function<void()> make_yardstick();
+
 /// A whole number of periods, with p pixels along x in each and at least `side` along each side.
 Grid many_periods(const Scene& scene, int p, int side);
 
