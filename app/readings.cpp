@@ -53,6 +53,27 @@ void require_finite(const Surface& surface) {
     }
 }
 
+void require_finite(const Field<float>& field, std::string_view what, double time_s) {
+    for (int j = 0; j < field.ny(); ++j) {
+        const float* row = field.row(j);
+        float sum = 0;  // zero but for what is not finite
+#pragma omp simd reduction(+ : sum)
+        for (int i = 0; i < field.nx(); ++i) sum += row[i] - row[i];
+        if (sum == 0) continue;
+        int i = 0;
+        while (std::isfinite(row[i])) ++i;
+        throw WorldError(
+            fmt::format("{} is not finite at t = {} s, first in pixel ({}, {}): {}", what, time_s, i, j, row[i]));
+    }
+}
+
+void require_finite(const LightLedger& ledger, std::string_view who, double time_s) {
+    if (std::isfinite(ledger.closure())) return;
+    throw WorldError(
+        fmt::format("the light of {} is not accounted for at t = {} s: {} W came, of which {} W on the floor", who,
+                    time_s, ledger.incident_w + ledger.entered_w, ledger.floor_w));
+}
+
 double pixel_at(const FloorPlan& plan, const Field<float>& irradiance, glm::dvec2 at_m) {
     const glm::dvec2 pixel = plan.pixel(at_m);
     const bool on_map = pixel.x >= 0 && pixel.x <= plan.width && pixel.y >= 0 && pixel.y <= plan.height;

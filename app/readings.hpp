@@ -2,8 +2,10 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <string_view>
 
 #include "caustics/floor.hpp"
+#include "caustics/light_ledger.hpp"
 #include "sim/surface.hpp"
 
 namespace waterlight {
@@ -14,6 +16,9 @@ double elevation_at(const Surface& surface, glm::dvec2 at_m);
 
 /// Throws WorldError naming time and cell where elevation or slope is not a finite number.
 void require_finite(const Surface& surface);
+/// The same of light: `what` is the field or the ledger of `who`. Throws WorldError naming time and pixel, or entry.
+void require_finite(const Field<float>& field, std::string_view what, double time_s);
+void require_finite(const LightLedger& ledger, std::string_view who, double time_s);
 
 /// Irradiance (W/m2) of the pixel that holds a place on the floor; NaN beyond the map.
 double pixel_at(const FloorPlan& plan, const Field<float>& irradiance, glm::dvec2 at_m);

@@ -115,7 +115,9 @@ class Run {
           scenario_(scenario),
           backend_(choose_backend(options.device, scenario)),
           waves_(for_section(scenario, "waves", [&] { return build_model(scenario, backend_.context); })),
-          floor_(scenario.floor ? make_floor_stage(scenario, waves_, backend_) : nullptr),
+          floor_(scenario.floor ? for_section(scenario, "caustics.floor",
+                                              [&] { return make_floor_stage(scenario, waves_, backend_); })
+                                : nullptr),
           recorder_(scenario),
           checks_(scenario) {
         if (scenario.beams)
@@ -175,6 +177,22 @@ class Run {
         if (floor_) timed(wall().floor, [&] { floor_->compute(*surface_, map_); });
         if (beams_) timed(wall().beams, [&] { beams_->compute(*surface_); });
         if (walls_) timed(wall().walls, [&] { walls_->compute(*surface_); });
+        timed(wall().diagnostics, [&] { require_finite_light(); });
+    }
+
+    void require_finite_light() const {
+        const double now = surface_->time_s;
+        if (floor_) {
+            require_finite(map_.irradiance, "the irradiance on the floor", now);
+            require_finite(floor_->ledger(map_), "the floor map", now);
+        }
+        if (beams_) require_finite(beams_->ledger(), "the beams", now);
+        if (beams_ && beams_->volume()) {
+            require_finite(beams_->volume()->plane_irradiance, "the downward irradiance in the water", now);
+            require_finite(beams_->volume()->scalar_irradiance, "the scalar irradiance in the water", now);
+        }
+        if (beams_ && beams_->image()) require_finite(beams_->image()->radiance, "the radiance of the picture", now);
+        if (walls_) require_finite(walls_->maps().ledger, "the walls", now);
     }
 
     /// What probes read between frames. The truth of a place needs no map.

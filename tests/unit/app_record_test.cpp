@@ -77,6 +77,27 @@ TEST(Readings, ASurfaceThatIsNotANumberStopsTheRunAndSaysWhere) {
     }
 }
 
+TEST(Readings, LightThatIsNotANumberStopsTheRunAndSaysWhere) {
+    Field<float> light(7, 5);
+    EXPECT_NO_THROW(require_finite(light, "the light", 1.5));
+    light(5, 2) = std::numeric_limits<float>::infinity();
+    try {
+        require_finite(light, "the light", 1.5);
+        ADD_FAILURE() << "accepted";
+    } catch (const WorldError& error) {
+        EXPECT_STREQ(error.what(), "the light is not finite at t = 1.5 s, first in pixel (5, 2): inf");
+    }
+}
+
+TEST(Readings, ALedgerThatIsNotANumberIsNotClosed) {
+    LightLedger ledger{.incident_w = 1, .floor_w = 1};
+    EXPECT_NO_THROW(require_finite(ledger, "the walls", 0));
+    ledger.outside_w = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(require_finite(ledger, "the walls", 0), WorldError);
+    EXPECT_THROW(require_finite(LightLedger{.floor_w = 1}, "the walls", 0), WorldError) << "light out of nothing";
+    EXPECT_NO_THROW(require_finite(LightLedger{}, "the walls", 0)) << "no sun";
+}
+
 TEST(Readings, IrradianceIsThatOfThePixel) {
     Field<float> map(4, 2);
     map(3, 1) = 7;
