@@ -38,7 +38,8 @@ KERNEL Refraction refract_sun(real3 s, real2 slope, real n, real fresnel) {
     real descent = -(s.z * inv_n + along);
     r.path = real(1) / descent;
     r.travel = real2((s.x * inv_n - along * slope.x) * r.path, (s.y * inv_n - along * slope.y) * r.path);
-    r.transmittance = real(1) - fresnel * (real(1) - fresnel_transmittance(cos_i, cos_t, n));
+    real t = fresnel_transmittance(cos_i, cos_t, n);
+    r.transmittance = t + (real(1) - fresnel) * (real(1) - t);
     return r;
 }
 
