@@ -59,6 +59,14 @@ void require_finite(const Surface& surface, std::int64_t step) {
     if (surface.depth) require_finite("depth of the water", *surface.depth, now);
 }
 
+void require_finite(std::string_view who, const LightLedger& ledger, const Instant& when) {
+    if (std::isfinite(ledger.closure())) return;
+    throw WorldError(
+        fmt::format("the light of {} is not accounted for at t = {:.6g} s, step {}: {} W came, of which {} W "
+                    "on the floor",
+                    who, when.time_s, when.step, ledger.incident_w + ledger.entered_w, ledger.floor_w));
+}
+
 double pixel_at(const FloorPlan& plan, const Field<float>& irradiance, glm::dvec2 at_m) {
     const glm::dvec2 pixel = plan.pixel(at_m);
     const bool on_map = pixel.x >= 0 && pixel.x <= plan.width && pixel.y >= 0 && pixel.y <= plan.height;

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "caustics/floor.hpp"
+#include "caustics/light_ledger.hpp"
 #include "sim/surface.hpp"
 
 namespace waterlight {
@@ -24,6 +25,8 @@ struct Instant {
 void require_finite(std::string_view name, const Field<float>& field, const Instant& when);
 /// All fields of the surface.
 void require_finite(const Surface& surface, std::int64_t step);
+/// The ledger of `who` follows the light; the same.
+void require_finite(std::string_view who, const LightLedger& ledger, const Instant& when);
 
 /// Irradiance (W/m2) of the pixel that holds a place on the floor; NaN beyond the map.
 double pixel_at(const FloorPlan& plan, const Field<float>& irradiance, glm::dvec2 at_m);

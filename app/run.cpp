@@ -77,7 +77,9 @@ class Run {
           scenario_(scenario),
           backend_(choose_backend(options.device, scenario)),
           waves_(for_section(scenario, "waves", [&] { return build_model(scenario, backend_.context); })),
-          floor_(scenario.floor ? make_floor_stage(scenario, waves_, backend_) : nullptr),
+          floor_(scenario.floor ? for_section(scenario, "caustics.floor",
+                                              [&] { return make_floor_stage(scenario, waves_, backend_); })
+                                : nullptr),
           recorder_(scenario),
           checks_(scenario),
           moments_(moments_of(scenario)) {
@@ -248,7 +250,10 @@ class Run {
         const Instant now{surface_->time_s, waves_.model->steps()};
         if (floor_) {
             timed(wall().floor, [&] { floor_->compute(*surface_, map_); });
-            timed(wall().diagnostics, [&] { require_finite("irradiance on the floor", map_.irradiance, now); });
+            timed(wall().diagnostics, [&] {
+                require_finite("irradiance on the floor", map_.irradiance, now);
+                require_finite("the floor map", floor_->ledger(map_), now);
+            });
         }
         if (beams_) {
             timed(wall().beams, [&] { beams_->compute(*surface_); });
@@ -257,6 +262,7 @@ class Run {
         if (walls_) {
             timed(wall().walls, [&] { walls_->compute(*surface_); });
             for (const Field<float>& map : walls_->maps().irradiance) require_finite("irradiance on a wall", map, now);
+            require_finite("the walls", walls_->maps().ledger, now);
         }
         if (!accuracy_) return;
         timed(wall().accuracy, [&] { accuracy_->compute(*surface_, floor_ ? &map_ : nullptr); });
@@ -317,7 +323,10 @@ class Run {
                 recorder_.add_floor(map_, floor_->ledger(map_), floor_->error_estimate());
                 if (last || is_checked) recorder_.add_statistics(map_);
             }
-            if (beams_) beams_->add_frame(time_s);
+            if (beams_) {
+                beams_->add_frame(time_s);
+                require_finite("the beams", beams_->ledger(), {time_s, waves_.model->steps()});
+            }
             if (walls_) walls_->add_frame();
             probes = read_probes();
             checks_.add_row(time_s, recorder_.record().probes);

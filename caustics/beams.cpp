@@ -22,7 +22,9 @@ void validate(const BeamSettings& s) {
         throw InputError(fmt::format("beams: the grid is {} x {} cells; at least 1 x 1", s.grid.x, s.grid.y));
     if (s.window && !(s.window->size_m.x > 0 && s.window->size_m.y > 0))
         throw InputError("beams: the window's size must be above 0");
-    if (!(s.depth_m > 0)) throw InputError("beams: the depth must be above 0");
+    if (!(s.depth_m > 0 && s.depth_m <= 1e30)) throw InputError("beams: the depth must be above 0, at most 1e30 m");
+    if (!(s.sun.irradiance_w_m2 >= 0 && s.sun.irradiance_w_m2 <= 1e30))
+        throw InputError("beams: the irradiance must be at least 0, at most 1e30 W/m2");
     if (!(s.optics.refractive_index >= 1)) throw InputError("beams: the refractive index must be at least 1");
     if (!(s.optics.extinction_per_m() >= 0)) throw InputError("beams: absorption and scattering must be at least 0");
     if (!(s.least_cosine >= 0 && s.least_cosine < 1)) throw InputError("beams: least_cosine must be in [0, 1)");

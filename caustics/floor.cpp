@@ -36,7 +36,7 @@ FloorPlan cover(const Grid& grid, int width, int height) {
 double FloorLedger::closure() const {
     const double in = incident_w + entered_w;
     const double out = reflected_w + extinguished_w + floor_w + outside_w + lost_w;
-    return in > 0 ? std::abs(in - out) / in : 0;
+    return in == 0 && out == 0 ? 0 : std::abs(in - out) / in;
 }
 
 namespace {
@@ -48,15 +48,17 @@ void require(bool good, std::string_view what, double found, std::string_view al
 }  // namespace
 
 void validate(const FloorSettings& s) {
+    constexpr double most = 1e30;  // what floats hold with room for what a focus makes of it
     require(s.plan.width >= 1 && s.plan.height >= 1, "number of pixels along a side",
             std::min(s.plan.width, s.plan.height), ">= 1");
     require(s.plan.pitch_m.x > 0 && s.plan.pitch_m.y > 0, "pixel pitch in m",
             std::min(s.plan.pitch_m.x, s.plan.pitch_m.y), "> 0");
     require(s.samples_per_pixel >= 1, "samples per pixel", s.samples_per_pixel, ">= 1");
-    require(s.depth_m > 0 && std::isfinite(s.depth_m), "depth in m", s.depth_m, "> 0, finite");
+    require(s.depth_m > 0 && s.depth_m <= most, "depth in m", s.depth_m, "> 0, at most 1e30");
     require(s.optics.refractive_index >= 1, "refractive index", s.optics.refractive_index, ">= 1");
     require(s.optics.extinction_per_m() >= 0, "extinction in 1/m", s.optics.extinction_per_m(), ">= 0");
-    require(s.sun.irradiance_w_m2 >= 0, "irradiance in W/m2", s.sun.irradiance_w_m2, ">= 0");
+    require(s.sun.irradiance_w_m2 >= 0 && s.sun.irradiance_w_m2 <= most, "irradiance in W/m2", s.sun.irradiance_w_m2,
+            ">= 0, at most 1e30");
     require(s.sun.elevation_deg <= 90, "sun elevation in degrees", s.sun.elevation_deg, "<= 90");
     if (!s.window) return;
     require(s.window->samples >= 1 && s.window->samples % 2 == 1, "window samples", s.window->samples, "odd, >= 1");

@@ -1,10 +1,13 @@
 // The window that a floor map needs: how far light is displaced, and how far from there its footprint reaches.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "caustics/floor_frame.hpp"
+#include "sim/error.hpp"
 
 namespace waterlight {
 
@@ -162,7 +165,14 @@ FloorWindow auto_window(const FloorFrame& frame, const FloorSettings& settings, 
         // No difference between samples is larger than that of the two farthest.
         reach += largest_half_extent(glm::min(a, d.largest), glm::min(b, d.largest)) - 0.5F;
     }
-    const auto size = [](float pixels) { return 2 * static_cast<int>(std::ceil(std::min(pixels, 1e8F))) + 1; };
+    // From here on floats cannot tell the places of neighbouring pixels apart.
+    constexpr float farthest = 1 << 23;
+    if (const float most = std::max(reach.x, reach.y); !(most < farthest))
+        throw InputError(fmt::format(
+            "floor map: light lands up to {:.3g} pixels from where it would below still water; allowed: less "
+            "than 2^23. Give fewer, larger pixels, less depth or gentler waves",
+            most));
+    const auto size = [](float pixels) { return 2 * static_cast<int>(std::ceil(pixels)) + 1; };
     return {size(reach.x), size(reach.y)};
 }
 

@@ -16,7 +16,7 @@ double scattered_part(const WaterOptics& optics) {
 double LightLedger::closure() const {
     const double in = incident_w + entered_w;
     const double out = reflected_w + absorbed_w + scattered_w + floor_w + walls_w + outside_w + lost_w;
-    return in > 0 ? std::abs(in - out) / in : 0;
+    return in == 0 && out == 0 ? 0 : std::abs(in - out) / in;
 }
 
 LightLedger& LightLedger::operator+=(const LightLedger& other) {

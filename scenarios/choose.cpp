@@ -110,6 +110,19 @@ bool better(const Forecast& a, const Forecast& b, double tolerance) {
     return a_meets ? a.seconds < b.seconds : a.error() < b.error();
 }
 
+/// The largest breaking_ratio() of the waves; 0 of bores, which do break.
+double breaking_of(const SceneSpectrum& scene, const Water& water) {
+    double most = 0;
+    for (const SceneWave& wave : scene.waves) most = std::max(most, breaking_ratio(wave.train, water));
+    return scene.bores ? 0 : most;
+}
+
+void require_not_strict(const Scenario& s, const std::string& warning) {
+    if (s.accuracy.strict && !warning.empty())
+        s.origin.reject("accuracy.tolerance", fmt::format("{}; {}", s.accuracy.tolerance, warning),
+                        "another tolerance or scene, or accuracy.strict = false");
+}
+
 Beyond what_is_beyond(const Decision& d) {
     if (d.breaking > 1) return Beyond::breaking;
     if (d.meets || d.stated || d.choice().model_error <= d.tolerance) return Beyond::nothing;
@@ -173,8 +186,7 @@ Decision choose(const Scenario& scenario) {
     d.tolerance = scenario.accuracy.tolerance;
     d.stated = scenario.waves.model != ModelChoice::automatic;
     d.scene = scene_spectrum(scenario);
-    for (const SceneWave& wave : d.scene.waves)
-        if (!d.scene.bores) d.breaking = std::max(d.breaking, breaking_ratio(wave.train, scenario.water));
+    d.breaking = breaking_of(d.scene, scenario.water);
     d.light = light_demand(scenario, d.scene);
     const GridNeeds needs{d.tolerance, d.light.shortest_m > 0 ? d.light.shortest_m / samples_a_wave
                                                               : std::numeric_limits<double>::infinity()};
@@ -205,14 +217,23 @@ bool is_open(const Scenario& s) {
 
 void settle(Scenario& s, const Decision& d) {
     const std::string warning = d.warning();
-    if (s.accuracy.strict && !warning.empty())
-        s.origin.reject("accuracy.tolerance", fmt::format("{}; {}", d.tolerance, warning),
-                        "another tolerance or scene, or accuracy.strict = false");
+    require_not_strict(s, warning);
     s.decided = ModelDecision{d.choice().model, d.reasons(), warning};
     s.waves.model = d.choice().model;
     s.domain.cells = d.choice().cells;
     if (s.floor) s.floor->pixels = d.light.pixels;
     if (s.beams) s.beams->grid = d.light.beams;
+}
+
+void warn_of_breaking(Scenario& s) {
+    const ModelDecision stated = resolve_model(s);
+    if (stated.model != ModelChoice::linear && stated.model != ModelChoice::airy) return;
+    const double breaking = breaking_of(scene_spectrum(s), s.water);
+    if (breaking <= 1) return;
+    const std::string warning = fmt::format(
+        "waves {:.2g} times as steep as those that break are out of the range of {}", breaking, name_of(stated.model));
+    require_not_strict(s, warning);
+    s.decided = ModelDecision{stated.model, stated.reasons, warning};
 }
 
 }  // namespace waterlight

@@ -55,6 +55,11 @@ bool is_open(const Scenario& scenario);
 /// meets the tolerance and the scenario insists (accuracy.strict).
 void settle(Scenario& scenario, const Decision& decision);
 
+/// Of a scenario that leaves nothing open and whose data files have been found: notes a warning beside its model where
+/// that is linear or airy and the waves are steeper than those that break. Throws InputError where the scenario
+/// insists.
+void warn_of_breaking(Scenario& scenario);
+
 /// The names of the models as a scenario has them.
 std::string_view name_of(ModelChoice model);
 

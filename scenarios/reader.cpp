@@ -108,7 +108,10 @@ Scenario read_open_scenario(const std::filesystem::path& file, const std::vector
 
 Scenario read_scenario(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
     Scenario scenario = read_open_scenario(file, overrides);
-    if (!is_open(scenario)) return scenario;
+    if (!is_open(scenario)) {
+        warn_of_breaking(scenario);
+        return scenario;
+    }
     settle(scenario, choose(scenario));
     check_combinations(scenario);
     check_memory(scenario, machine_memory());

@@ -52,6 +52,7 @@ struct Kernels<double> {
     using FaceFlux = f64::FaceFlux;
 };
 
+using f32::carried_steps;
 using f32::face_depth;
 using f32::flow_per_discharge;
 using f32::ground_step;
@@ -59,6 +60,7 @@ using f32::limited_steps;
 using f32::shallow_flux;
 using f32::slope_freedom;
 using f32::surface_force;
+using f64::carried_steps;
 using f64::face_depth;
 using f64::flow_per_discharge;
 using f64::ground_step;
@@ -114,7 +116,7 @@ void find_faces(const CellRow<Real>& before, const CellRow<Real>& at, const Cell
         const Real freedom = slope_freedom(h0[i], h[i], h1[i], z0[i], z[i], z1[i]);
         const Real ground = ground_step(z[i] - z0[i], z1[i] - z[i]);
         const Steps rise = limited_steps(e[i] - e0[i], e1[i] - e[i], freedom);
-        const Steps across = limited_steps(u[i] - u0[i], u1[i] - u[i], freedom);
+        const Steps across = carried_steps(limited_steps(u[i] - u0[i], u1[i] - u[i], freedom), h[i], gravity);
         const Steps along = limited_steps(v[i] - v0[i], v1[i] - v[i], freedom);
         const Real e_low = e[i] - rise.low;
         const Real e_high = e[i] + rise.high;

@@ -6,11 +6,12 @@ KERNEL real incident_factor(real3 s, real2 slope) {
     return max(real(0), s.x * slope.x + s.y * slope.y - s.z);
 }
 
-// Unpolarised Fresnel transmittance from the cosines on both sides.
+// Unpolarised Fresnel transmittance from the cosines on both sides. Grazing light keeps its few per mille to rounding,
+// which 1 - reflectance would not, and where both cosines are 0 (n = 1, light along the surface) none enters.
 KERNEL real fresnel_transmittance(real cos_i, real cos_t, real n) {
-    real rs = (cos_i - n * cos_t) / (cos_i + n * cos_t);
-    real rp = (n * cos_i - cos_t) / (n * cos_i + cos_t);
-    return real(1) - real(0.5) * (rs * rs + rp * rp);
+    real s = max(real(1e-15), cos_i + n * cos_t);
+    real p = max(real(1e-15), n * cos_i + cos_t);
+    return real(2) * n * cos_i * cos_t * (real(1) / (s * s) + real(1) / (p * p));
 }
 
 // Beer-Lambert: what is left after `path` metres of extinction c (1/m).
@@ -37,7 +38,8 @@ KERNEL Refraction refract_sun(real3 s, real2 slope, real n, real fresnel) {
     real descent = -(s.z * inv_n + along);
     r.path = real(1) / descent;
     r.travel = real2((s.x * inv_n - along * slope.x) * r.path, (s.y * inv_n - along * slope.y) * r.path);
-    r.transmittance = real(1) - fresnel * (real(1) - fresnel_transmittance(cos_i, cos_t, n));
+    real t = fresnel_transmittance(cos_i, cos_t, n);
+    r.transmittance = t + (real(1) - fresnel) * (real(1) - t);
     return r;
 }
 

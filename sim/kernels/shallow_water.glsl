@@ -41,6 +41,16 @@ KERNEL FaceSteps limited_steps(real a, real b, real freedom) {
     return steps;
 }
 
+// Steps of the velocity across the faces, within half the speed of the cell's own waves: or else fast films on both sides of
+// a deep cell give its faces more momentum than its water can stand against, and it swallows them without end.
+KERNEL FaceSteps carried_steps(FaceSteps steps, real h, real g) {
+    real most = real(0.5) * sqrt(g * h);
+    FaceSteps carried;
+    carried.low = clamp(steps.low, -most, most);
+    carried.high = clamp(steps.high, -most, most);
+    return carried;
+}
+
 // The step of the ground from the centre of a cell to its high face, and minus that to its low one: central, limited to
 // twice the one-sided differences (van Leer 1977).
 KERNEL real ground_step(real before, real after) {

@@ -31,7 +31,7 @@ Faces faces(CellWater before, CellWater at, CellWater after) {
     real freedom = slope_freedom(before.h, at.h, after.h, before.z, at.z, after.z);
     real ground = ground_step(at.z - before.z, after.z - at.z);
     FaceSteps e = limited_steps(at.e - before.e, after.e - at.e, freedom);
-    FaceSteps u = limited_steps(at.u - before.u, after.u - at.u, freedom);
+    FaceSteps u = carried_steps(limited_steps(at.u - before.u, after.u - at.u, freedom), at.h, p.gravity);
     FaceSteps v = limited_steps(at.v - before.v, after.v - at.v, freedom);
     return Faces(FaceWater(at.e - e.low, face_depth(at.h, ground - e.low), at.u - u.low, at.v - v.low),
                  FaceWater(at.e + e.high, face_depth(at.h, e.high - ground), at.u + u.high, at.v + v.high));

@@ -3,8 +3,10 @@
 #include <omp.h>
 
 #include <cstring>
+#include <numbers>
 
 #include "caustics/kernels/optics.hpp"
+#include "sim/error.hpp"
 #include "tests/support/surfaces.hpp"
 
 namespace waterlight {
@@ -156,6 +158,41 @@ TEST(FloorMap, NoLightIsUnaccountedForBetweenWallsWhereverTheSunStands) {
             }
         }
     }
+}
+
+// Steep waves under a low sun: half of the water turns away from it.
+TEST(FloorMap, WithoutRefractionShadedWaterIsDarkAndNotNaN) {
+    const Grid grid = make_grid(64, 64, 1, 1);
+    FloorSettings s = settings_for(grid, 64, 64, 5);
+    s.optics.refractive_index = 1;
+    const FloorMap map = map_of(s, sample(grid, periodic, egg_crate(.05, .5)));
+    EXPECT_TRUE(std::isfinite(mean(map.irradiance)));
+    EXPECT_LT(map.ledger.closure(), 1e-6);
+}
+
+// Within half a degree of the horizon two per cent of the light enters, and floats must still tell how much.
+TEST(FloorMap, FresnelOfGrazingLightIsThatOfDoublePrecision) {
+    for (const double elevation : {1e-4, 1e-3, 0.01, 0.1, 0.5}) {
+        const double cos_i = std::sin(elevation * std::numbers::pi / 180), n = 4.0 / 3;
+        const double cos_t = std::sqrt(1 - (1 - cos_i * cos_i) / (n * n));
+        const double exact = f64::fresnel_transmittance(cos_i, cos_t, n);
+        EXPECT_NEAR(exact, 2 * (n + 1 / n) * cos_i / std::sqrt(1 - 1 / (n * n)), 6 * cos_i * exact) << elevation;
+        const f32::real3 along(float(-std::cos(std::asin(cos_i))), 0, float(-cos_i));
+        EXPECT_NEAR(f32::refract_sun(along, {0, 0}, float(n), 1).transmittance, exact, 1e-6 * exact);
+    }
+}
+
+TEST(FloorMap, RefusesWhatFloatsCannotHold) {
+    const Grid grid = make_grid(16, 16, 1, 1);
+    FloorSettings s = settings_for(grid, 16, 16, 90);
+    const Surface surface = sample(grid, walls, egg_crate(.01, .5));
+    s.depth_m = 1e15;
+    EXPECT_THROW(map_of(s, surface), InputError) << "lands farther than floats tell pixels apart";
+    s.depth_m = 1e39;
+    EXPECT_THROW(map_of(s, surface), InputError);
+    s.depth_m = 1;
+    s.sun.irradiance_w_m2 = 1e39;
+    EXPECT_THROW(map_of(s, surface), InputError);
 }
 
 TEST(FloorMap, NoSunNoLightAndNoNaN) {

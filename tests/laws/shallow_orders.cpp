@@ -29,6 +29,15 @@ TEST(ShallowOrders, ThackersPlaneSurfaceAfterThreePeriods) {
 
 TEST(ShallowOrders, RittersDamBreak) { EXPECT_LE(error_after(ritter(), flume(401, 10).grid, walled, 1, 6), 4.3e-4); }
 
+// Films a hundred times as fast as their own waves, against bores that are a few cells wide.
+TEST(ShallowOrders, FastFlowsThatMeetPileUpNoHigherThanTheirBores) {
+    const double fast = 100 * std::sqrt(g);
+    const RiemannProblem rivers{1, 1, fast, -fast, {100, 0}};
+    const ShallowSides sides{FlowSide{1, {fast, 0}}, FlowSide{1, {-fast, 0}}, PeriodicSide{}, PeriodicSide{}};
+    for (const int cells : {400, 800, 1600, 2400})
+        EXPECT_LE(error_after(rivers, flume(cells, 200).grid, sides, 0.05, 0.25), 0.1) << cells;
+}
+
 TEST(ShallowOrders, StokersMiddleState) {
     const RiemannProblem dam = stoker();
     const auto middle = dam.middle();

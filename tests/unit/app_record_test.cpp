@@ -78,6 +78,28 @@ TEST(Readings, ASurfaceThatIsNotANumberStopsTheRunAndSaysWhere) {
     }
 }
 
+TEST(Readings, LightThatIsNotANumberStopsTheRunAndSaysWhere) {
+    Field<float> light(7, 5);
+    const Instant now{1.5, 30};
+    EXPECT_NO_THROW(require_finite("light", light, now));
+    light(5, 2) = std::numeric_limits<float>::infinity();
+    try {
+        require_finite("light", light, now);
+        ADD_FAILURE() << "accepted";
+    } catch (const WorldError& error) {
+        EXPECT_STREQ(error.what(), "the light is not finite: inf in cell (5, 2) at t = 1.5 s, step 30");
+    }
+}
+
+TEST(Readings, ALedgerThatIsNotANumberIsNotClosed) {
+    LightLedger ledger{.incident_w = 1, .floor_w = 1};
+    EXPECT_NO_THROW(require_finite("the walls", ledger, {}));
+    ledger.outside_w = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(require_finite("the walls", ledger, {}), WorldError);
+    EXPECT_THROW(require_finite("the walls", LightLedger{.floor_w = 1}, {}), WorldError) << "light out of nothing";
+    EXPECT_NO_THROW(require_finite("the walls", LightLedger{}, {})) << "no sun";
+}
+
 TEST(Readings, IrradianceIsThatOfThePixel) {
     Field<float> map(4, 2);
     map(3, 1) = 7;
