@@ -114,8 +114,9 @@ void check_floor(const Scenario& s) {
     const bool truth = floor.method == FloorMethod::truth;
     if (truth && floor.window)
         s.origin.reject("caustics.floor.window", "it beside method = \"truth\"", "method two-pass");
-    if (truth && s.origin.places.contains("caustics.floor.samples_per_pixel"))
-        s.origin.reject("caustics.floor.samples_per_pixel", "it beside method = \"truth\"", "method two-pass");
+    for (const std::string key : {"caustics.floor.samples_per_pixel", "caustics.floor.footprint"})
+        if (truth && s.origin.places.contains(key))
+            s.origin.reject(key, "it beside method = \"truth\"", "method two-pass");
     for (const std::string key : {"caustics.floor.tolerance", "caustics.floor.most_subsamples"})
         if (!truth && s.origin.places.contains(key))
             s.origin.reject(key, "it beside method = \"two-pass\"", "method truth");
@@ -156,6 +157,8 @@ void require_model(const Scenario& s, bool stated, std::string_view key, const s
     for (const ModelChoice m : models) names += (names.empty() ? "" : " or ") + std::string(name_of(m));
     s.origin.reject(key, fmt::format("it beside waves.model = \"{}\"", name_of(model)), "model " + names);
 }
+
+bool has_ground(const Scenario& s) { return s.domain.bathymetry || !s.domain.ground.empty(); }
 
 void require_inside(const Scenario& s, const std::string& key, glm::dvec2 at) {
     const glm::dvec2 size = s.domain.size_m;

@@ -85,6 +85,12 @@ TEST(ScenarioBeams, GroundIsForThemWherePrescribedWavesDoNotFeelIt) {
     const std::string rock = "[[domain.ground]]\ntype = \"cone\"\nat_m = [1, 1]\ntoe_radius_m = 1.0\nheight_m = 1.0\n";
     const std::string tilted = "[waves]\nmodel = \"prescribed\"\nduration_s = 1.0\n";
     EXPECT_EQ(parse(least + rock + tilted + beams).domain.ground.size(), 1U);
+    const std::string gauge = "[[probe]]\nname = \"a\"\nat_m = [3, 3]\n";
+    EXPECT_NE(rejection(least + rock + tilted + beams + "[caustics.floor]\n").find("caustics.floor: found it beside"),
+              std::string::npos);
+    EXPECT_NE(rejection(least + rock + tilted + beams + gauge).find("probe[0]: found it beside domain.ground"),
+              std::string::npos);
+    EXPECT_EQ(rejection(least + rock + tilted + beams + gauge + "depth_m = 1.0\n"), "accepted");
     const std::string message = rejection(least + rock + tilted);
     EXPECT_NE(message.find("without [caustics.beams]"), std::string::npos) << message;
     // How deep the ground is shows when its file is read.
