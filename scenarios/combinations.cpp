@@ -125,6 +125,27 @@ void check_floor(const Scenario& s) {
                         "an odd integer >= 1");
 }
 
+bool is_level(const GroundShape& shape) {
+    const auto* plane = std::get_if<PlaneGround>(&shape.ground);
+    return plane && plane->slope == glm::dvec2{0, 0};
+}
+
+/// Cells are chosen by the waves alone, which tell nothing of what else is resampled on them or made of them.
+void check_cells(const Scenario& s) {
+    if (s.domain.cells.x > 0) return;
+    const std::vector<GroundShape>& ground = s.domain.ground;
+    const bool even = !s.domain.bathymetry && std::all_of(ground.begin(), ground.end(), is_level);
+    const std::string_view reason = s.waves.file ? "the surface of waves.file is resampled on them"
+                                    : !even      ? "they have to tell the ground"
+                                    : s.walls    ? "[caustics.walls] are lit as finely as they are"
+                                                 : std::string_view();
+    if (!reason.empty())
+        s.origin.reject("domain.cells", "none",
+                        fmt::format("cells stated, for what is chosen looks at the waves alone "
+                                    "and {}",
+                                    reason));
+}
+
 /// A solution on half as many cells must still be one.
 void check_accuracy(const Scenario& s) {
     constexpr int least = 8;
@@ -174,6 +195,7 @@ void check_combinations(const Scenario& s) {
     check_initial_state(s);
     for (std::size_t i = 0; i < s.waves.sources.size(); ++i)
         std::visit(SourceCheck{s, fmt::format("waves.source[{}]", i)}, s.waves.sources[i]);
+    check_cells(s);
     check_output(s);
     check_floor(s);
     check_beams(s);

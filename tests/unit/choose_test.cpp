@@ -83,6 +83,22 @@ TEST(Choose, SettlingFillsWhatIsOpenAndKeepsWhatIsStated) {
     check_combinations(s);
 }
 
+/// What the choice of cells does not look at is not resampled on them.
+TEST(Choose, CellsAreStatedWhereMoreThanWavesHangsOnThem) {
+    const auto expect = [](const std::string& text, const std::string& reason) {
+        const std::string message = rejection(open_pool + text);
+        EXPECT_NE(message.find("domain.cells: found none; allowed: cells stated"), std::string::npos) << message;
+        EXPECT_NE(message.find(reason), std::string::npos) << message;
+        EXPECT_EQ(rejection(open_pool + "cells = [64, 48]\n" + text), "accepted");
+    };
+    const std::string shape = "[[domain.ground]]\ntype = \"plane\"\nlevel_m = -1.0\nslope = ";
+    expect("[waves]\nfile = \"surface.vti\"\n", "waves.file");
+    expect("bathymetry = \"bed.vti\"\n", "the ground");
+    expect(shape + "[0.1, 0.0]\n", "the ground");
+    expect("[caustics.walls]\n", "[caustics.walls]");
+    EXPECT_EQ(rejection(open_pool + shape + "[0.0, 0.0]\n"), "accepted");
+}
+
 TEST(Choose, StrictRefusesWhatNoModelMeets) {
     Scenario s = parse_scenario(sine(0.5, 0.1, 3, "[accuracy]\nstrict = true\n"), "pool.toml");
     EXPECT_THROW(settle(s, choose(s)), InputError);
