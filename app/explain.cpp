@@ -90,6 +90,9 @@ std::string floor_line(const Scenario& s, const LightDemand& light) {
     if (s.floor->method == FloorMethod::truth)
         return fmt::format("{} x {} pixels ({}), truth to {}", light.pixels.x, light.pixels.y, chosen,
                            percent(light.footprint_error));
+    if (s.floor->on.receiver == Receiver::ground)
+        return fmt::format("{} x {} pixels ({}) on the ground; rays a pixel apart leave some {}", light.pixels.x,
+                           light.pixels.y, chosen, percent(light.footprint_error));
     const bool wide = s.floor->footprint == Footprint::pixel;
     const std::string other =
         !wide && light.pixel_error <= s.accuracy.tolerance
@@ -131,9 +134,12 @@ std::string explanation(const Scenario& s, const Decision& d) {
         line("beams", fmt::format("{} x {} cells ({})", d.light.beams.x, d.light.beams.y,
                                   s.beams->grid.x > 0 ? "stated" : "chosen"));
     line("cost", cost_line(s, d));
-    const std::string warning = d.warning();
-    line(warning.empty() ? "verdict" : "WARNING",
-         warning.empty() ? fmt::format("within the tolerance, {} of a wavelength", percent(d.tolerance)) : warning);
+    const std::string warning = d.warning(), light_warning = d.light_warning();
+    if (!warning.empty()) line("WARNING", warning);
+    if (!light_warning.empty()) line("WARNING", light_warning);
+    if (warning.empty() && light_warning.empty())
+        line("verdict", fmt::format("within the tolerance, {} of a wavelength{}", percent(d.tolerance),
+                                    s.floor ? " and of the light" : ""));
     return text;
 }
 

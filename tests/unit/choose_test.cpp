@@ -7,6 +7,8 @@
 #include <fstream>
 
 #include "caustics/demand.hpp"
+#include "scenarios/build.hpp"
+#include "scenarios/resolve.hpp"
 #include "sim/spectrum.hpp"
 #include "tests/unit/scenario_support.hpp"
 
@@ -128,9 +130,74 @@ TEST(SceneSpectrum, BinsOfADropAddUpToItsMeanSquare) {
 }
 
 TEST(CausticDemand, IsThatOfTheDesign) {
-    EXPECT_DOUBLE_EQ(caustic_contrast(12, 0.01, 2, 4.0 / 3), 0.25 * 2 * 0.01 * 144);
-    EXPECT_NEAR(focus_depth(4 * 3.14159265358979, 0.01, 4.0 / 3), 2.533, 1e-3);
-    EXPECT_NEAR(landing_distance(0.01, 3, 0, 4.0 / 3), 3 * 0.01 / 4, 1e-5);
+    const double overhead = focusing({}, 4.0 / 3);
+    EXPECT_NEAR(overhead, 0.25, 1e-9);
+    EXPECT_DOUBLE_EQ(caustic_contrast(12, 0.01, 2, 0.25), 0.25 * 2 * 0.01 * 144);
+    EXPECT_NEAR(focus_depth(4 * 3.14159265358979, 0.01, overhead), 2.533, 1e-3);
+    EXPECT_NEAR(landing_reach(0.01, 3, 0, {}, 4.0 / 3).x, 3 * 0.01 / 4, 1e-5);
+}
+
+/// Snell, differentiated by hand: a slope turns the normal, and the light in the water by 1 - cos i / (n cos t) of
+/// that; its tangent changes by 1 / cos^2 t as much.
+TEST(CausticDemand, FollowsTheSlantedSun) {
+    constexpr double n = 4.0 / 3;
+    for (const double elevation : {80.0, 45.0, 10.0, 2.0}) {
+        const double cos_i = std::sin(elevation * 3.14159265358979 / 180);
+        const double cos_t = std::sqrt(1 - (1 - cos_i * cos_i) / (n * n));
+        for (const double azimuth : {0.0, 77.0})
+            EXPECT_NEAR(focusing({elevation, azimuth, 1000}, n), (1 - cos_i / (n * cos_t)) / (cos_t * cos_t), 1e-6);
+    }
+    const glm::dvec2 reach = landing_reach(0.01, 3, 0, {30, 0, 1000}, n);
+    EXPECT_GT(reach.x, 1.5 * reach.y);
+    EXPECT_EQ(landing_reach(0.01, 3, 0, {-1, 0, 1000}, n), glm::dvec2(0, 0));
+}
+
+/// A wave that fits the domain.
+const std::string lit_sine =
+    "[domain]\nsize_m = [4.0, 2.0]\ncells = [512, 256]\ndepth_m = 1.5\n[waves]\nmodel = \"prescribed\"\n"
+    "[[waves.sine]]\namplitude_m = 0.004\nwavelength_m = 0.4472135955\ndirection_deg = 26.565051177\nfrozen = true\n"
+    "[caustics.floor]\npixels = [512, 256]\n";
+
+/// The window that is forecast holds that which the map then takes, and is not much wider.
+TEST(LightDemand, ForecastsTheWindowOfTheMap) {
+    for (const double elevation : {90.0, 40.0, 15.0})
+        for (const char* more : {"", "samples_per_pixel = 3\n", "angle_deg = 30\n"}) {
+            const Scenario s = parse_scenario(
+                lit_sine + more + "[light]\nazimuth_deg = 20\nelevation_deg = " + std::to_string(elevation) + "\n",
+                "pool.toml");
+            FloorMap map;
+            make_floor_cpu(floor_settings(s))->compute(build_model(s).model->surface(), map);
+            const glm::ivec2 forecast = choose(s).light.window, used{map.window.samples, map.window.channels};
+            EXPECT_GE(forecast.x, used.x) << elevation << more;
+            EXPECT_GE(forecast.y, used.y) << elevation << more;
+            EXPECT_LE(forecast.x, 1.8 * used.x + 4) << elevation << more;
+        }
+}
+
+TEST(LightDemand, NoFootprintIsWorseThanNoContrast) {
+    const LightDemand coarse = chosen(open_pool +
+                                      "cells = [64, 48]\n[waves]\nmodel = \"prescribed\"\n[[waves.sine]]\n"
+                                      "amplitude_m = 0.0001\nwavelength_m = 0.05\n"
+                                      "[caustics.floor]\npixels = [1, 1]\n")
+                                   .light;
+    EXPECT_GT(coarse.contrast, 0.01);
+    EXPECT_LE(coarse.footprint_error, coarse.contrast);
+}
+
+TEST(LightDemand, IsPartOfTheVerdict) {
+    EXPECT_EQ(chosen(lit_sine).light_warning(), "");
+    EXPECT_NE(chosen(lit_sine + "footprint = \"pixel\"\n").light_warning().find("the floor map is not resolved"),
+              std::string::npos);
+    Scenario open = parse_scenario(lit_sine, "pool.toml");
+    for (const double depth : {1.5, 40.0}) {
+        open.domain.depth_m = depth;
+        open.floor->pixels = {8, 4};
+        EXPECT_NE(choose(open).light_warning(), "") << depth;
+        open.floor->pixels = {0, 0};
+        const Decision d = choose(open);
+        EXPECT_EQ(d.light_warning(), "") << depth;
+        EXPECT_GT(d.light.pixels.x, 8);
+    }
 }
 
 }  // namespace
