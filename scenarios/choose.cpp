@@ -8,7 +8,8 @@
 #include <numbers>
 
 #include "caustics/demand.hpp"
-#include "scenarios/costs.hpp"
+#include "scenarios/light_cost.hpp"
+#include "scenarios/number.hpp"
 #include "scenarios/reader.hpp"
 #include "scenarios/resolve.hpp"
 
@@ -100,7 +101,7 @@ glm::ivec2 counts(const LightDemand& light, glm::dvec2 size_m, glm::ivec2 stated
 
 void size_floor(const Scenario& s, LightDemand& light) {
     const FloorSection& floor = *s.floor;
-    const double frames = moments_of_run(s), per_pixel = floor.samples_per_pixel;
+    const double per_pixel = floor.samples_per_pixel;
     const glm::dvec2 size = floor.size_m.value_or(s.domain.size_m);
     const bool truth = floor.method == FloorMethod::truth, wide = floor.footprint == Footprint::pixel;
     const double wanted = adaptive_error(s, light) / s.accuracy.tolerance;  // samples of the strongest wave
@@ -113,22 +114,15 @@ void size_floor(const Scenario& s, LightDemand& light) {
     light.window = 2 * glm::ivec2(glm::ceil(reach + spread)) + 1;
     judge_footprints(s, sample_m, light);
     if (truth) light.footprint_error = floor.tolerance;
-    const double samples = static_cast<double>(light.pixels.x) * light.pixels.y * per_pixel * per_pixel;
-    light.seconds += frames * samples *
-                     (truth  ? costs::truth_pixel_frame
-                      : wide ? costs::floor_pixel_frame
-                             : costs::floor_parallelogram_frame);
 }
 
 /// Pixels, beams and what they cost, once the surface's cells are known.
-void size_light(const Scenario& s, LightDemand& light) {
+void size_light(const Scenario& s, glm::ivec2 cells, LightDemand& light) {
     if (s.floor) size_floor(s, light);
-    if (!s.beams) return;
-    light.beams = counts(light, s.beams->size_m.value_or(s.domain.size_m), s.beams->grid,
-                         std::numeric_limits<double>::infinity());
-    const double beams = 2.0 * light.beams.x * light.beams.y;
-    const double slices = s.beams->volume_cells ? s.beams->volume_cells->z : 0;
-    light.seconds += moments_of_run(s) * beams * (costs::beam_frame + slices * costs::beam_slice_frame);
+    if (s.beams)
+        light.beams = counts(light, s.beams->size_m.value_or(s.domain.size_m), s.beams->grid,
+                             std::numeric_limits<double>::infinity());
+    light.seconds = light_seconds(s, light, cells);
 }
 
 bool better(const Forecast& a, const Forecast& b, double tolerance) {
@@ -143,15 +137,13 @@ Beyond what_is_beyond(const Decision& d) {
     return d.scene.jump_m > 0 ? Beyond::bores_in_deep_water : Beyond::dispersive_and_nonlinear;
 }
 
-std::string percent(double share) { return fmt::format("{:.2g} %", 100 * share); }
-
 std::string against(const Forecast& rung, double tolerance, const Forecast& chosen) {
     const std::string name(name_of(rung.model));
     if (!rung.allowed) return fmt::format("{} cannot carry {}", name, rung.refusal);
     if (rung.error() > tolerance)
         return fmt::format("{} would be wrong by {} of a wavelength: {}", name, percent(rung.error()), rung.binding());
-    return fmt::format("{} would do as well ({}) at {:.2g} times the cost", name, percent(rung.error()),
-                       rung.seconds / chosen.seconds);
+    return fmt::format("{} would do as well ({}) at {} times the cost", name, percent(rung.error()),
+                       rounded(rung.seconds / chosen.seconds, 2));
 }
 
 }  // namespace
@@ -177,7 +169,8 @@ std::string Decision::warning() const {
                                           name_of(c.model), percent(c.error()), percent(tolerance));
     switch (beyond) {
         case Beyond::breaking:
-            return fmt::format("no model holds: waves {:.2g} times as steep as those that break; {}", breaking, least);
+            return fmt::format("no model holds: waves {} times as steep as those that break; {}", rounded(breaking, 2),
+                               least);
         case Beyond::dispersive_and_nonlinear:
             return "no model meets the tolerance: these waves are dispersive and nonlinear at once; " + least;
         case Beyond::bores_in_deep_water:
@@ -229,7 +222,7 @@ Decision choose(const Scenario& scenario) {
     d.chosen = std::min(best, d.rungs.size() - 1);
     d.meets = d.choice().error() <= d.tolerance && d.breaking <= 1;
     d.beyond = what_is_beyond(d);
-    size_light(scenario, d.light);
+    size_light(scenario, d.choice().cells, d.light);
     return d;
 }
 

@@ -23,7 +23,7 @@ struct LightDemand {
     glm::ivec2 pixels{0, 0};     ///< of the floor map, as stated or chosen
     glm::ivec2 window{0, 0};     ///< samples and channels that hold reach_m
     glm::ivec2 beams{0, 0};      ///< of the beam grid, as stated or chosen
-    double seconds = 0;          ///< of floor map and beams, whole run
+    double seconds = 0;          ///< of all of it, whole run
 };
 
 /// Why the waves of a scene are beyond every model.

@@ -8,6 +8,7 @@
 
 #include "caustics/demand.hpp"
 #include "scenarios/build.hpp"
+#include "scenarios/number.hpp"
 #include "scenarios/resolve.hpp"
 #include "sim/spectrum.hpp"
 #include "tests/unit/scenario_support.hpp"
@@ -198,6 +199,60 @@ TEST(LightDemand, IsPartOfTheVerdict) {
         EXPECT_EQ(d.light_warning(), "") << depth;
         EXPECT_GT(d.light.pixels.x, 8);
     }
+}
+
+double light_seconds_of(const std::string& text) { return chosen(lit_sine + text).light.seconds; }
+
+/// The multiples of the plain map that docs/light.md measured.
+TEST(LightCost, IsThatOfEachPart) {
+    const double plain = light_seconds_of("");
+    EXPECT_NEAR(light_seconds_of("samples_per_pixel = 3\n") / plain, 9, 1e-9);
+    EXPECT_NEAR(light_seconds_of("[light]\ncolour = \"rgb\"\n") / plain, 2.8, 0.3);
+    const Scenario s = parse_scenario(lit_sine, "pool.toml");
+    const double pixel = 4.0 / 512;
+    // Overhead the disc's radius on the floor is D r / n.
+    for (const auto& [pixels, factor] : {std::pair{0.9, 1.4}, {4.5, 1.9}, {16.0, 3.8}}) {
+        const double half_angle = pixels * pixel / (1.5 / s.optics.refractive_index) * 180 / 3.14159265358979;
+        EXPECT_NEAR(light_seconds_of("[light]\ndisc_deg = " + std::to_string(half_angle) + "\n") / plain, factor, 0.1)
+            << pixels;
+    }
+    const auto pool = [](const char* more) {
+        return chosen(open_pool + "cells = [512, 384]\n[caustics.floor]\npixels = [1024, 768]\n" + more).light.seconds;
+    };
+    EXPECT_NEAR(pool("[caustics.walls]\n") / pool(""), 1 + 4.5, 0.5);
+    const char* on_ground = "receiver = \"ground\"\n[waves]\nmodel = \"shallow-water\"\n";
+    EXPECT_NEAR(pool(on_ground) / pool(""), 150, 1);
+}
+
+/// The times that docs/performance.md measured of a picture whose pixels 42 % see beams, and of fields.
+TEST(LightCost, OfPicturesAndFieldsIsThatMeasured) {
+    const std::string pool = "[domain]\nsize_m = [3.0, 3.0]\ncells = [256, 256]\ndepth_m = 2.0\n";
+    const auto seconds = [&](int n, const std::string& more) {
+        const std::string grid = "[" + std::to_string(n) + ", " + std::to_string(n) + "]\n";
+        return chosen(pool + "[caustics.beams]\ngrid = " + grid + more).light.seconds;
+    };
+    const std::string camera = "[camera]\nposition_m = [1.5, -3.2, -0.8]\ntarget_m = [1.5, 1.5, -1]\npixels = ";
+    const auto picture = [&](int n, const char* pixels) { return seconds(n, camera + pixels) - seconds(n, ""); };
+    EXPECT_NEAR(0.42 * picture(32, "[900, 600]\n"), 0.0235, 0.006);
+    EXPECT_NEAR(0.42 * picture(128, "[900, 600]\n"), 0.123, 0.03);
+    EXPECT_NEAR(picture(64, "[1800, 600]\n") / picture(64, "[900, 600]\n"), 2, 1e-6);
+    EXPECT_NEAR(seconds(128, "volume_cells = [128, 128, 128]\n"), 0.315, 0.03);
+    EXPECT_NEAR(seconds(128, "[caustics.beams.reflected]\nheight_m = 1.0\n") / seconds(128, ""), 2, 1e-6);
+}
+
+TEST(Numbers, HaveNoExponentsBelowTenThousand) {
+    EXPECT_EQ(rounded(100, 2), "100");
+    EXPECT_EQ(rounded(1174, 2), "1200");
+    EXPECT_EQ(rounded(9996, 2), "10000");
+    EXPECT_EQ(rounded(0.0214, 2), "0.021");
+    EXPECT_EQ(rounded(0.00055, 1), "0.0006");
+    EXPECT_EQ(rounded(0.000055, 2), "0.000055");
+    EXPECT_EQ(rounded(0.0999, 2), "0.1");
+    EXPECT_EQ(rounded(-99.6, 2), "-100");
+    EXPECT_EQ(rounded(99.6, 3), "99.6");
+    EXPECT_EQ(rounded(0, 2), "0");
+    EXPECT_EQ(rounded(12345, 2), "1.2e+04");
+    EXPECT_EQ(percent(2.1), "210 %");
 }
 
 }  // namespace
