@@ -9,6 +9,7 @@
 
 #include "caustics/demand.hpp"
 #include "scenarios/light_cost.hpp"
+#include "scenarios/memory.hpp"
 #include "scenarios/number.hpp"
 #include "scenarios/reader.hpp"
 #include "scenarios/resolve.hpp"
@@ -125,6 +126,16 @@ void size_light(const Scenario& s, glm::ivec2 cells, LightDemand& light) {
     light.seconds = light_seconds(s, light, cells);
 }
 
+/// Of the run as it is chosen.
+double bytes_of(const Scenario& scenario, const Decision& d) {
+    Scenario chosen = scenario;
+    chosen.waves.model = d.choice().model;
+    chosen.domain.cells = d.choice().cells;
+    if (chosen.floor) chosen.floor->pixels = d.light.pixels;
+    if (chosen.beams) chosen.beams->grid = d.light.beams;
+    return estimate_memory(chosen).total();
+}
+
 bool better(const Forecast& a, const Forecast& b, double tolerance) {
     const bool a_meets = a.error() <= tolerance, b_meets = b.error() <= tolerance;
     if (a_meets != b_meets) return a_meets;
@@ -223,6 +234,7 @@ Decision choose(const Scenario& scenario) {
     d.meets = d.choice().error() <= d.tolerance && d.breaking <= 1;
     d.beyond = what_is_beyond(d);
     size_light(scenario, d.choice().cells, d.light);
+    d.rungs[d.chosen].bytes = bytes_of(scenario, d);
     return d;
 }
 

@@ -121,5 +121,39 @@ TEST(ScenarioBeams, FieldsThatDoNotFitTheMachineAreRejected) {
     EXPECT_THROW(check_memory(s, 8e9), InputError);
 }
 
+/// What is allocated (caustics/beams.cpp): eight floats a corner, two a cell.
+TEST(ScenarioBeams, GridsThatDoNotFitTheMachineAreRejected) {
+    const Scenario s = parse(least + "[caustics.beams]\ngrid = [16384, 16384]\n");
+    const double corners = 16385.0 * 16385, cells = 16384.0 * 16384;
+    EXPECT_DOUBLE_EQ(estimate_memory(s).beams, 32 * corners + 8 * cells);
+    try {
+        check_memory(s, 8e9);
+        ADD_FAILURE() << "accepted";
+    } catch (const InputError& error) {
+        const std::string message = error.what();
+        EXPECT_NE(message.find("caustics.beams.grid: found [16384, 16384], which takes some 10 GiB"), std::string::npos)
+            << message;
+    }
+    Scenario more = s;
+    more.beams->reflected = ReflectedSection{};
+    EXPECT_DOUBLE_EQ(estimate_memory(more).beams, 2 * estimate_memory(s).beams);
+    more.beams->volume_cells = glm::ivec3(16, 16, 16);
+    EXPECT_GT(estimate_memory(more).beams, 2 * estimate_memory(s).beams + 12 * corners);
+}
+
+TEST(ScenarioBeams, PicturesAndWallsTakeMemory) {
+    const auto with_camera = [](const char* pixels) {
+        return parse(least + beams + "[camera]\nposition_m = [1, 2, -1]\ntarget_m = [4, 3, -1]\npixels = " + pixels);
+    };
+    const double small = estimate_memory(with_camera("[100, 100]\n")).picture,
+                 large = estimate_memory(with_camera("[10000, 10000]\n")).picture;
+    EXPECT_GT(large - small, 8.0 * 9.9e7);
+    EXPECT_THROW(check_memory(with_camera("[10000, 10000]\n"), 1e9), InputError);
+    const auto with_walls = [](const char* pixel) {
+        return estimate_memory(parse(least + "[caustics.walls]\npixel_m = " + pixel)).walls;
+    };
+    EXPECT_NEAR(with_walls("0.005\n") / with_walls("0.01\n"), 4, 0.05);
+}
+
 }  // namespace
 }  // namespace waterlight::test
