@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "scenarios/costs.hpp"
+#include "scenarios/number.hpp"
 #include "scenarios/reader.hpp"
 
 namespace waterlight {
@@ -15,22 +16,19 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-std::string percent(double share) { return fmt::format("{:.2g} %", 100 * share); }
-
 std::string length(double metres) {
-    if (metres < 0.01) return fmt::format("{:.2g} mm", 1000 * metres);
-    return metres < 1 ? fmt::format("{:.3g} cm", 100 * metres) : fmt::format("{:.3g} m", metres);
+    if (metres < 0.01) return rounded(1000 * metres, 2) + " mm";
+    return metres < 1 ? rounded(100 * metres, 3) + " cm" : rounded(metres, 3) + " m";
 }
 
 std::string duration(double seconds) {
     if (seconds == 0) return "nothing";
-    if (seconds < 0.1) return fmt::format("{:.2g} ms", 1000 * seconds);
-    if (seconds < 10) return fmt::format("{:.2g} s", seconds);
-    return seconds < 600 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.1f} h", seconds / 3600);
+    if (seconds < 0.1) return rounded(1000 * seconds, 2) + " ms";
+    return seconds < 600 ? rounded(seconds, 2) + " s" : rounded(seconds / 3600, 2) + " h";
 }
 
 std::string range(double low, double high) {
-    return high < 1.02 * low ? fmt::format("{:.2g}", high) : fmt::format("{:.2g} to {:.2g}", low, high);
+    return high < 1.02 * low ? rounded(high, 2) : fmt::format("{} to {}", rounded(low, 2), rounded(high, 2));
 }
 
 /// Waves that carry all but a hundredth of the variance either way, and what they are like.
@@ -58,8 +56,8 @@ std::string waves_line(const Scenario& s, const SceneSpectrum& scene) {
     const std::string lengths = k_high > 1.02 * k_low
                                     ? fmt::format("{} to {}", length(2 * pi / k_high), length(2 * pi / k_low))
                                     : length(2 * pi / k_high);
-    return fmt::format("{} long (kh {}), travel {} wavelengths; a/h {:.2g}, ka {:.2g}", lengths,
-                       range(k_low * h, k_high * h), range(n_low, n_high), scene.amplitude_m() / h, ka);
+    return fmt::format("{} long (kh {}), travel {} wavelengths; a/h {}, ka {}", lengths, range(k_low * h, k_high * h),
+                       range(n_low, n_high), rounded(scene.amplitude_m() / h, 2), rounded(ka, 2));
 }
 
 std::string grid_line(const Scenario& s, const Decision& d) {
@@ -90,6 +88,9 @@ std::string floor_line(const Scenario& s, const LightDemand& light) {
     if (s.floor->method == FloorMethod::truth)
         return fmt::format("{} x {} pixels ({}), truth to {}", light.pixels.x, light.pixels.y, chosen,
                            percent(light.footprint_error));
+    if (s.floor->on.receiver == Receiver::ground)
+        return fmt::format("{} x {} pixels ({}) on the ground; rays a pixel apart leave some {}", light.pixels.x,
+                           light.pixels.y, chosen, percent(light.footprint_error));
     const bool wide = s.floor->footprint == Footprint::pixel;
     const std::string other =
         !wide && light.pixel_error <= s.accuracy.tolerance
@@ -101,7 +102,7 @@ std::string floor_line(const Scenario& s, const LightDemand& light) {
 }
 
 std::string cost_line(const Scenario& s, const Decision& d) {
-    const double frames = 1 + std::ceil(s.waves.duration_s / s.output.every_s - 1e-9);
+    const double frames = frames_of_run(s);
     const glm::dvec2 cells(d.choice().cells), pixels(d.light.pixels);
     const double files =
         s.output.formats.empty() ? 0 : frames * costs::file_cell_frame * (cells.x * cells.y + pixels.x * pixels.y);
@@ -131,9 +132,12 @@ std::string explanation(const Scenario& s, const Decision& d) {
         line("beams", fmt::format("{} x {} cells ({})", d.light.beams.x, d.light.beams.y,
                                   s.beams->grid.x > 0 ? "stated" : "chosen"));
     line("cost", cost_line(s, d));
-    const std::string warning = d.warning();
-    line(warning.empty() ? "verdict" : "WARNING",
-         warning.empty() ? fmt::format("within the tolerance, {} of a wavelength", percent(d.tolerance)) : warning);
+    const std::string warning = d.warning(), light_warning = d.light_warning();
+    if (!warning.empty()) line("WARNING", warning);
+    if (!light_warning.empty()) line("WARNING", light_warning);
+    if (warning.empty() && light_warning.empty())
+        line("verdict", fmt::format("within the tolerance, {} of a wavelength{}", percent(d.tolerance),
+                                    s.floor ? " and of the light" : ""));
     return text;
 }
 

@@ -8,7 +8,9 @@
 #include <numbers>
 
 #include "caustics/demand.hpp"
-#include "scenarios/costs.hpp"
+#include "scenarios/light_cost.hpp"
+#include "scenarios/memory.hpp"
+#include "scenarios/number.hpp"
 #include "scenarios/reader.hpp"
 #include "scenarios/resolve.hpp"
 
@@ -39,69 +41,99 @@ std::string refusal(const Scenario& scenario, ModelChoice model) {
     }
 }
 
+/// Largest value of what has this root mean square in a scene of so many waves.
+double largest_of(double rms, const SceneSpectrum& scene) {
+    constexpr double steepest = 3;  // of what is random
+    return std::min(steepest, std::sqrt(2.0 * static_cast<double>(scene.waves.size()))) * rms;
+}
+
 LightDemand light_demand(const Scenario& s, const SceneSpectrum& scene) {
     LightDemand light;
     const double n = s.optics.refractive_index, depth = s.domain.depth_m;
     light.focus_m = std::numeric_limits<double>::infinity();
-    if (!s.floor && !s.beams) return light;
+    if ((!s.floor && !s.beams) || s.light.elevation_deg <= 0) return light;
+    const double moved = focusing(s.light, n);
+    double curvature = 0;
     for (const SceneWave& wave : scene.waves) {
         const double k = wave.train.wave_number, a = wave.train.amplitude_m;
-        const double contrast = caustic_contrast(k, a, depth, n);
+        const double contrast = caustic_contrast(k, a, depth, moved);
+        curvature = std::hypot(curvature, k * k * std::sqrt(wave.variance_m2));
         if (contrast > light.contrast) {
             light.contrast = contrast;
             light.strongest_m = 2 * pi / k;
-            light.focus_m = focus_depth(k, a, n);
+            light.focus_m = focus_depth(k, a, moved);
         }
         const bool shorter = light.shortest_m == 0 || 2 * pi / k < light.shortest_m;
         if (contrast > s.accuracy.tolerance && shorter) light.shortest_m = 2 * pi / k;
     }
-    constexpr double steepest = 3;  // of a random slope, over its root mean square
-    light.reach_m = landing_distance(steepest * scene.rms_slope(), depth, scene.amplitude_m(), n);
+    Sun sun = s.light;
+    if (s.floor) sun.azimuth_deg -= s.floor->angle_deg;
+    light.reach_m = landing_reach(largest_of(scene.rms_slope(), scene), depth, scene.amplitude_m(), sun, n);
+    light.spread = depth * moved * largest_of(curvature, scene);
     return light;
 }
 
-/// Errors of the footprints, as measured on a sine before and past its focus (docs/performance.md): the pixel-wide
-/// one's at any resolution, the adaptive one's times the samples that the strongest wave is given.
-void judge_footprints(const Scenario& s, glm::dvec2 pitch, LightDemand& light) {
+bool is_past_focus(const Scenario& s, const LightDemand& light) { return s.domain.depth_m > light.focus_m; }
+
+/// Error of the adaptive footprint times the samples that the strongest wave is given, as measured on a sine before and
+/// past its focus (docs/performance.md).
+double adaptive_error(const Scenario& s, const LightDemand& light) {
+    return (is_past_focus(s, light) ? 0.35 : 0.085) * std::min(light.contrast, 1.0);
+}
+
+/// Errors of the footprints; the pixel-wide one's is that at any resolution. No map is further from the truth than one
+/// without the waves' contrast.
+void judge_footprints(const Scenario& s, glm::dvec2 sample_m, LightDemand& light) {
     if (!(light.contrast > 0)) return;
-    const bool past_focus = s.domain.depth_m > light.focus_m;
     const double strength = std::min(light.contrast, 1.0);
-    const double samples = light.strongest_m / std::max(pitch.x, pitch.y) * s.floor->samples_per_pixel;
-    light.pixel_error = (past_focus ? 0.3 : 0.08) * strength;
-    const double adaptive = (past_focus ? 0.35 : 0.085) * strength / samples;
+    const double samples = light.strongest_m / std::max(sample_m.x, sample_m.y);
+    light.pixel_error = (is_past_focus(s, light) ? 0.3 : 0.08) * strength;
+    const double adaptive = std::min(adaptive_error(s, light) / samples, light.contrast);
     light.footprint_error = s.floor->footprint == Footprint::pixel ? light.pixel_error : adaptive;
 }
 
+/// Counts along the sides of a rectangle: as stated, or enough for what the light shows.
+glm::ivec2 counts(const LightDemand& light, glm::dvec2 size_m, glm::ivec2 stated, double pitch_m) {
+    if (stated.x > 0) return stated;
+    const double few = std::max(size_m.x, size_m.y) / 64;
+    const double pitch = std::min(light.shortest_m > 0 ? light.shortest_m / samples_a_wave : few, pitch_m);
+    return glm::ivec2(glm::clamp(glm::ceil(size_m / pitch), glm::dvec2(16), glm::dvec2(8192)));
+}
+
+void size_floor(const Scenario& s, LightDemand& light) {
+    const FloorSection& floor = *s.floor;
+    const double per_pixel = floor.samples_per_pixel;
+    const glm::dvec2 size = floor.size_m.value_or(s.domain.size_m);
+    const bool truth = floor.method == FloorMethod::truth, wide = floor.footprint == Footprint::pixel;
+    const double wanted = adaptive_error(s, light) / s.accuracy.tolerance;  // samples of the strongest wave
+    const double pitch = truth || wide || !(wanted > 0) ? std::numeric_limits<double>::infinity()
+                                                        : per_pixel * light.strongest_m / wanted;
+    light.pixels = counts(light, size, floor.pixels, pitch);
+    const glm::dvec2 sample_m = size / glm::dvec2(light.pixels) / per_pixel;
+    const glm::dvec2 reach = light.reach_m / sample_m;
+    const glm::dvec2 spread = wide ? glm::dvec2(0) : glm::min(glm::dvec2(light.spread), reach);
+    light.window = 2 * glm::ivec2(glm::ceil(reach + spread)) + 1;
+    judge_footprints(s, sample_m, light);
+    if (truth) light.footprint_error = floor.tolerance;
+}
+
 /// Pixels, beams and what they cost, once the surface's cells are known.
-void size_light(const Scenario& s, LightDemand& light) {
-    const double frames = moments_of_run(s);
-    const auto counts = [&](glm::dvec2 size, glm::ivec2 stated) {
-        if (stated.x > 0) return stated;
-        const double pitch = light.shortest_m > 0 ? light.shortest_m / samples_a_wave : std::max(size.x, size.y) / 64;
-        const glm::dvec2 n = glm::clamp(glm::ceil(size / pitch), glm::dvec2(16), glm::dvec2(8192));
-        return glm::ivec2(n);
-    };
-    if (s.floor) {
-        const glm::dvec2 size = s.floor->size_m.value_or(s.domain.size_m);
-        light.pixels = counts(size, s.floor->pixels);
-        const glm::dvec2 pitch = size / glm::dvec2(light.pixels);
-        light.window = 2 * glm::ivec2(glm::ceil(glm::dvec2(light.reach_m) / pitch)) + 1;
-        const bool truth = s.floor->method == FloorMethod::truth;
-        judge_footprints(s, pitch, light);
-        if (truth) light.footprint_error = s.floor->tolerance;
-        const double samples = static_cast<double>(light.pixels.x) * light.pixels.y * s.floor->samples_per_pixel *
-                               s.floor->samples_per_pixel;
-        const bool wide = s.floor->footprint == Footprint::pixel;
-        light.seconds += frames * samples *
-                         (truth  ? costs::truth_pixel_frame
-                          : wide ? costs::floor_pixel_frame
-                                 : costs::floor_parallelogram_frame);
-    }
-    if (!s.beams) return;
-    light.beams = counts(s.beams->size_m.value_or(s.domain.size_m), s.beams->grid);
-    const double beams = 2.0 * light.beams.x * light.beams.y;
-    const double slices = s.beams->volume_cells ? s.beams->volume_cells->z : 0;
-    light.seconds += frames * beams * (costs::beam_frame + slices * costs::beam_slice_frame);
+void size_light(const Scenario& s, glm::ivec2 cells, LightDemand& light) {
+    if (s.floor) size_floor(s, light);
+    if (s.beams)
+        light.beams = counts(light, s.beams->size_m.value_or(s.domain.size_m), s.beams->grid,
+                             std::numeric_limits<double>::infinity());
+    light.seconds = light_seconds(s, light, cells);
+}
+
+/// Of the run as it is chosen.
+double bytes_of(const Scenario& scenario, const Decision& d) {
+    Scenario chosen = scenario;
+    chosen.waves.model = d.choice().model;
+    chosen.domain.cells = d.choice().cells;
+    if (chosen.floor) chosen.floor->pixels = d.light.pixels;
+    if (chosen.beams) chosen.beams->grid = d.light.beams;
+    return estimate_memory(chosen).total();
 }
 
 bool better(const Forecast& a, const Forecast& b, double tolerance) {
@@ -129,15 +161,13 @@ Beyond what_is_beyond(const Decision& d) {
     return d.scene.jump_m > 0 ? Beyond::bores_in_deep_water : Beyond::dispersive_and_nonlinear;
 }
 
-std::string percent(double share) { return fmt::format("{:.2g} %", 100 * share); }
-
 std::string against(const Forecast& rung, double tolerance, const Forecast& chosen) {
     const std::string name(name_of(rung.model));
     if (!rung.allowed) return fmt::format("{} cannot carry {}", name, rung.refusal);
     if (rung.error() > tolerance)
         return fmt::format("{} would be wrong by {} of a wavelength: {}", name, percent(rung.error()), rung.binding());
-    return fmt::format("{} would do as well ({}) at {:.2g} times the cost", name, percent(rung.error()),
-                       rung.seconds / chosen.seconds);
+    return fmt::format("{} would do as well ({}) at {} times the cost", name, percent(rung.error()),
+                       rounded(rung.seconds / chosen.seconds, 2));
 }
 
 }  // namespace
@@ -163,7 +193,8 @@ std::string Decision::warning() const {
                                           name_of(c.model), percent(c.error()), percent(tolerance));
     switch (beyond) {
         case Beyond::breaking:
-            return fmt::format("no model holds: waves {:.2g} times as steep as those that break; {}", breaking, least);
+            return fmt::format("no model holds: waves {} times as steep as those that break; {}", rounded(breaking, 2),
+                               least);
         case Beyond::dispersive_and_nonlinear:
             return "no model meets the tolerance: these waves are dispersive and nonlinear at once; " + least;
         case Beyond::bores_in_deep_water:
@@ -174,6 +205,14 @@ std::string Decision::warning() const {
     if (meets) return {};
     return fmt::format("the tolerance is not met: {} is wrong by {} of a wavelength, of {} allowed ({})",
                        name_of(c.model), percent(c.error()), percent(tolerance), c.binding());
+}
+
+std::string Decision::light_warning() const {
+    if (light.pixels.x == 0 || light.footprint_error <= tolerance) return {};
+    return fmt::format(
+        "the floor map is not resolved: its footprint leaves some {}, of {} allowed; more pixels or "
+        "samples_per_pixel with footprint \"adaptive\" would leave less",
+        percent(light.footprint_error), percent(tolerance));
 }
 
 std::string_view name_of(ModelChoice model) {
@@ -206,7 +245,8 @@ Decision choose(const Scenario& scenario) {
     d.chosen = std::min(best, d.rungs.size() - 1);
     d.meets = d.choice().error() <= d.tolerance && d.breaking <= 1;
     d.beyond = what_is_beyond(d);
-    size_light(scenario, d.light);
+    size_light(scenario, d.choice().cells, d.light);
+    d.rungs[d.chosen].bytes = bytes_of(scenario, d);
     return d;
 }
 

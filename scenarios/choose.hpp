@@ -1,7 +1,9 @@
 // Which physics a scene needs: the cheapest wave model, grid and map of light that meet the tolerance of [accuracy].
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "scenarios/forecast.hpp"
@@ -14,13 +16,14 @@ struct LightDemand {
     double contrast = 0;         ///< of the wave with the most
     double strongest_m = 0;      ///< the length of that wave
     double focus_m = 0;          ///< depth of its first focus; infinity without waves
-    double reach_m = 0;          ///< how far the steepest slopes throw their light
-    double footprint_error = 0;  ///< RMSE of the floor map by the footprint in use, relative
+    glm::dvec2 reach_m{0, 0};    ///< how far along the map's axes the steepest slopes throw their light
+    double spread = 0;           ///< by how much the widest footprint exceeds its sample, in samples
+    double footprint_error = 0;  ///< RMSE of the floor map by the footprint in use, relative; the contrast at most
     double pixel_error = 0;      ///< the same, were it the pixel-wide one
     glm::ivec2 pixels{0, 0};     ///< of the floor map, as stated or chosen
     glm::ivec2 window{0, 0};     ///< samples and channels that hold reach_m
     glm::ivec2 beams{0, 0};      ///< of the beam grid, as stated or chosen
-    double seconds = 0;          ///< of floor map and beams, whole run
+    double seconds = 0;          ///< of all of it, whole run
 };
 
 /// Why the waves of a scene are beyond every model.
@@ -42,6 +45,8 @@ struct Decision {
     std::vector<std::string> reasons() const;
     /// What a reader must know before trusting the run; empty where the tolerance is met.
     std::string warning() const;
+    /// The same of the floor map.
+    std::string light_warning() const;
 };
 
 /// Chooses for a scenario whose keys go together and whose data files have been found. Throws InputError where such a

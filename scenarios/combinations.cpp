@@ -114,14 +114,36 @@ void check_floor(const Scenario& s) {
     const bool truth = floor.method == FloorMethod::truth;
     if (truth && floor.window)
         s.origin.reject("caustics.floor.window", "it beside method = \"truth\"", "method two-pass");
-    if (truth && s.origin.places.contains("caustics.floor.samples_per_pixel"))
-        s.origin.reject("caustics.floor.samples_per_pixel", "it beside method = \"truth\"", "method two-pass");
+    for (const std::string key : {"caustics.floor.samples_per_pixel", "caustics.floor.footprint"})
+        if (truth && s.origin.places.contains(key))
+            s.origin.reject(key, "it beside method = \"truth\"", "method two-pass");
     for (const std::string key : {"caustics.floor.tolerance", "caustics.floor.most_subsamples"})
         if (!truth && s.origin.places.contains(key))
             s.origin.reject(key, "it beside method = \"two-pass\"", "method truth");
     if (floor.window && floor.window->samples % 2 == 0)
         s.origin.reject("caustics.floor.window.samples", fmt::format("{}", floor.window->samples),
                         "an odd integer >= 1");
+}
+
+bool is_level(const GroundShape& shape) {
+    const auto* plane = std::get_if<PlaneGround>(&shape.ground);
+    return plane && plane->slope == glm::dvec2{0, 0};
+}
+
+/// Cells are chosen by the waves alone, which tell nothing of what else is resampled on them or made of them.
+void check_cells(const Scenario& s) {
+    if (s.domain.cells.x > 0) return;
+    const std::vector<GroundShape>& ground = s.domain.ground;
+    const bool even = !s.domain.bathymetry && std::all_of(ground.begin(), ground.end(), is_level);
+    const std::string_view reason = s.waves.file ? "the surface of waves.file is resampled on them"
+                                    : !even      ? "they have to tell the ground"
+                                    : s.walls    ? "[caustics.walls] are lit as finely as they are"
+                                                 : std::string_view();
+    if (!reason.empty())
+        s.origin.reject("domain.cells", "none",
+                        fmt::format("cells stated, for what is chosen looks at the waves alone "
+                                    "and {}",
+                                    reason));
 }
 
 /// A solution on half as many cells must still be one.
@@ -157,6 +179,8 @@ void require_model(const Scenario& s, bool stated, std::string_view key, const s
     s.origin.reject(key, fmt::format("it beside waves.model = \"{}\"", name_of(model)), "model " + names);
 }
 
+bool has_ground(const Scenario& s) { return s.domain.bathymetry || !s.domain.ground.empty(); }
+
 void require_inside(const Scenario& s, const std::string& key, glm::dvec2 at) {
     const glm::dvec2 size = s.domain.size_m;
     if (at.x >= 0 && at.x <= size.x && at.y >= 0 && at.y <= size.y) return;
@@ -171,6 +195,7 @@ void check_combinations(const Scenario& s) {
     check_initial_state(s);
     for (std::size_t i = 0; i < s.waves.sources.size(); ++i)
         std::visit(SourceCheck{s, fmt::format("waves.source[{}]", i)}, s.waves.sources[i]);
+    check_cells(s);
     check_output(s);
     check_floor(s);
     check_beams(s);

@@ -10,6 +10,8 @@ namespace waterlight {
 
 /// Throws InputError where `key` is stated beside a model that does not know it.
 void require_model(const Scenario& scenario, bool stated, std::string_view key, const std::vector<ModelChoice>& models);
+/// Whether the scenario has ground in place of the flat floor.
+bool has_ground(const Scenario& scenario);
 void require_inside(const Scenario& scenario, const std::string& key, glm::dvec2 at);
 
 /// Throws InputError where sides do not go together or with the model.

@@ -8,14 +8,21 @@ namespace waterlight {
 
 namespace {
 
-bool has_ground(const Scenario& s) { return s.domain.bathymetry || !s.domain.ground.empty(); }
-
-/// Waves that are prescribed do not feel the ground: it is there for light alone.
+/// Waves that are prescribed do not feel the ground: it is there for light alone, and of that for beams.
 void check_ground(const Scenario& s) {
-    if (!has_ground(s) || s.beams || resolve_model(s).model != ModelChoice::prescribed) return;
-    s.origin.reject(s.domain.bathymetry ? "domain.bathymetry" : "domain.ground",
-                    "it beside waves.model = \"prescribed\" without [caustics.beams]",
-                    "[caustics.beams] in the scenario, or model shallow-water");
+    if (!has_ground(s) || resolve_model(s).model != ModelChoice::prescribed) return;
+    const std::string ground = s.domain.bathymetry ? "domain.bathymetry" : "domain.ground";
+    const std::string beside = fmt::format("it beside {} and waves.model = \"prescribed\"", ground);
+    if (s.floor)
+        s.origin.reject("caustics.floor", beside + ", whose floor map is of a flat floor",
+                        "[caustics.beams] alone, which know the ground, or model shallow-water");
+    if (!s.beams)
+        s.origin.reject(ground, "it beside waves.model = \"prescribed\" without [caustics.beams]",
+                        "[caustics.beams] in the scenario, or model shallow-water");
+    for (std::size_t i = 0; i < s.probes.size(); ++i)
+        if (!s.probes[i].depth_m)
+            s.origin.reject(fmt::format("probe[{}]", i), beside + " without depth_m",
+                            "depth_m of the probe, or model shallow-water");
 }
 
 /// Above the water a camera sees reflected light.

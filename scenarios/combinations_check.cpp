@@ -16,19 +16,23 @@ namespace waterlight {
 
 namespace {
 
+/// Whether it is of a probe below the surface.
+bool is_in_water(const Scenario& s, const std::string& quantity) {
+    return std::any_of(s.probes.begin(), s.probes.end(), [&](const Probe& probe) {
+        return probe.depth_m && quantity.starts_with("probe." + probe.name + ".");
+    });
+}
+
 /// The section that a quantity needs and the scenario lacks; else empty.
 std::string_view lacking_section(const Scenario& s, const std::string& quantity) {
     if (quantity.starts_with("accuracy.")) return s.accuracy.estimate ? "" : "accuracy.estimate = true";
-    const auto in_water = [&](const Probe& probe) {
-        return probe.depth_m && quantity.starts_with("probe." + probe.name + ".");
-    };
     const bool of_floor = quantity.starts_with("floor.") || is_of_light(quantity);
     if (quantity.starts_with("beams.")) return s.beams ? "" : "[caustics.beams]";
     if (quantity.starts_with("walls.")) return s.walls ? "" : "[caustics.walls]";
     if (quantity.starts_with("volume.")) return s.beams && s.beams->volume_cells ? "" : "caustics.beams.volume_cells";
     if (quantity.starts_with("camera.")) return s.camera ? "" : "[camera]";
     if (quantity.starts_with("sea.")) return s.waves.spectrum || s.waves.buoy ? "" : "waves.spectrum or waves.buoy";
-    if (std::any_of(s.probes.begin(), s.probes.end(), in_water)) return "";
+    if (is_in_water(s, quantity)) return "";
     if (quantity.ends_with(".scalar_irradiance")) return "depth_m of that probe";
     return of_floor && !s.floor ? "[caustics.floor]" : "";
 }
@@ -173,15 +177,17 @@ struct CheckOf {
         if (is_norm && check.window_s) reject_at(".window_s", "it beside a norm of a difference", "at_s, or the end");
         if (!is_of_both_backends())
             reject_at(".agrees", fmt::format("it beside \"{}\", which the CPU alone computes", check.quantity),
-                      "numbers of the floor's map by method two-pass, or of the model shallow-water");
+                      "numbers of the floor's map by method two-pass, of fields in the water, of pictures, or of the "
+                      "model shallow-water");
     }
 
-    /// Whether a Vulkan device computes what the quantity tells of.
+    /// Whether a Vulkan device computes what the quantity tells of. Beams themselves, and what a probe in the water
+    /// reads of them, are the CPU's.
     bool is_of_both_backends() const {
-        const bool truth = s.floor && s.floor->method == FloorMethod::truth;
-        const bool of_light = check.quantity.starts_with("floor.") || check.quantity.ends_with("irradiance");
-        if (truth) return false;
-        return has_vulkan_model(s) || (of_light && s.floor && !check.quantity.starts_with("volume."));
+        const std::string& q = check.quantity;
+        if (s.floor && s.floor->method == FloorMethod::truth) return false;
+        if (has_vulkan_model(s) || q.starts_with("volume.") || q.starts_with("camera.")) return true;
+        return s.floor && (q.starts_with("floor.") || is_of_light(q)) && !is_in_water(s, q);
     }
 };
 

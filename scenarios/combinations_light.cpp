@@ -58,6 +58,10 @@ void check_water(const Scenario& s) {
 }
 
 void check_walls(const Scenario& s) {
+    if (has_ground(s))
+        s.origin.reject("caustics.walls",
+                        fmt::format("it beside {}", s.domain.bathymetry ? "domain.bathymetry" : "domain.ground"),
+                        "the flat floor, to which walls reach down");
     const Boundary boundary = resolve_boundary(s);
     if (boundary.x != Side::wall && boundary.y != Side::wall)
         s.origin.reject("caustics.walls", "it without a side that is a wall", "waves.boundary with a wall");
@@ -99,6 +103,9 @@ void check_light(const Scenario& s) {
     check_receiver(s);
     const bool coloured = wavelengths_in(s) > 0, disc = s.sun.disc_deg.has_value();
     const std::string key(disc ? "light.disc_deg" : colour_key(s));
+    if (disc && *s.sun.disc_deg > s.light.elevation_deg)
+        s.origin.reject(key, fmt::format("{}, part of the disc below the horizon", *s.sun.disc_deg),
+                        fmt::format("at most light.elevation_deg = {}", s.light.elevation_deg));
     if ((coloured || disc) && !s.floor) s.origin.reject(key, "it without [caustics.floor]", "a floor map to show it");
     if ((coloured || disc) && s.floor->method == FloorMethod::truth)
         s.origin.reject(key, "it beside caustics.floor.method = \"truth\"", "method two-pass");

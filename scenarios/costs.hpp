@@ -19,7 +19,13 @@ constexpr double floor_pixel_frame = 5e-9;           // two-pass, a sample, foot
 constexpr double floor_parallelogram_frame = 10e-9;  // footprint "adaptive"
 constexpr double truth_pixel_frame = 2e-6;           // converged to 1e-3
 constexpr double beam_frame = 0.1e-6;                // each of two a cell, made anew
-constexpr double beam_slice_frame = 40e-9;           // each beam in each layer of volume_cells
+constexpr double beam_slice_frame = 75e-9;           // each beam in each layer of volume_cells (beams_volume)
+// A pixel that beams fill, for each column of their grid: 0.75 rays through cells of 5 ns each (beams_image).
+constexpr double picture_pixel_column_frame = 3.7e-9;
+// As multiples of the plain map in the same minute (light/*, docs/light.md):
+constexpr double disc_factor = 1.25, disc_factor_a_pixel = 0.16;  // of the map, and for each pixel of the disc's radius
+constexpr double relief_pixel_frame = 150 * floor_parallelogram_frame;  // light/ground
+constexpr double wall_cell_frame = 18 * floor_parallelogram_frame;      // light/walls, four pixels of the map a cell
 constexpr double file_cell_frame =
     10e-9;  // a cell or a pixel of a field and its picture, written by a thread of its own
 

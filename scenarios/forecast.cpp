@@ -168,6 +168,10 @@ const char* Forecast::binding() const {
     return dispersion_error > amplitude_error ? "dispersion" : "amplitude";
 }
 
+double frames_of_run(const Scenario& scenario) {
+    return 1 + std::ceil(scenario.waves.duration_s / scenario.output.every_s - 1e-9);
+}
+
 double moments_of_run(const Scenario& scenario) {
     const double every = scenario.probes.empty() ? scenario.output.every_s
                                                  : scenario.output.probe_every_s.value_or(scenario.output.every_s);

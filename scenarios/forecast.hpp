@@ -29,6 +29,8 @@ struct Forecast {
     const char* binding() const;
 };
 
+/// Frames of the run.
+double frames_of_run(const Scenario& scenario);
 /// Frames of the run, and rows of probes between them.
 double moments_of_run(const Scenario& scenario);
 

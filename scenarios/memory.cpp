@@ -8,6 +8,7 @@
 #include <fstream>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "scenarios/resolve.hpp"
 #include "scenarios/resolve_light.hpp"
@@ -33,6 +34,21 @@ constexpr double truth_pixel = 120;
 // Bytes a cell of the fields in the water: both of them, and four of each that wait to be written.
 constexpr double volume_cell = 50;
 
+// Bytes of Beams: eight floats a corner, the flux of two beams a cell; and of what a thread that fills fields has of
+// it: three floats a corner, two sums a cell of a slice.
+constexpr double beam_corner = 8 * 4;
+constexpr double beam_cell = 2 * 4;
+constexpr double landed_corner = 3 * 4;
+constexpr double slice_cell = 2 * 8;
+// Of a picture: a cell's place in the lists of what it shows, in its strip's too; a pixel, how far it sees, four that
+// wait to be written, their colours, and the ways of pictures that are enlarged; five floats a pixel of a thread's
+// strip.
+constexpr double shown_cell = 80;
+constexpr double picture_pixel = 40;
+constexpr double strip_pixel = 5 * 4;
+// Of walls: the map, its power in double precision, what lands on it in lists, four that wait and their colours.
+constexpr double wall_pixel = 60;
+
 double bytes_per_cell(ModelChoice model) {
     if (model == ModelChoice::linear) return linear_cell;
     if (model == ModelChoice::shallow_water) return shallow_water_cell;
@@ -51,6 +67,41 @@ double bytes_per_pixel(const FloorSection& floor, bool estimates) {
 double solutions(const Scenario& scenario, ModelChoice model) {
     if (!scenario.accuracy.estimate || model == ModelChoice::prescribed) return 1;
     return model == ModelChoice::airy ? 10 : 1 + 1 / 4.0 + 1 / 16.0;
+}
+
+double product(glm::ivec2 n) { return n.x * static_cast<double>(n.y); }
+
+double threads() { return std::max(1.0, static_cast<double>(::sysconf(_SC_NPROCESSORS_ONLN))); }
+
+double bytes_of_grid(glm::ivec2 grid) { return product(grid + 1) * beam_corner + product(grid) * beam_cell; }
+
+/// Of the grids and of the threads that fill fields from them.
+double bytes_of_beams(const BeamsSection& beams) {
+    const glm::ivec2 n = beams.grid;
+    double bytes = bytes_of_grid(n) * (beams.reflected ? 2 : 1);
+    if (beams.refine_below) bytes += bytes_of_grid(n) + bytes_of_grid(2 * n);
+    if (!beams.volume_cells) return bytes;
+    const double slice = product({beams.volume_cells->x, beams.volume_cells->y}) * slice_cell;
+    return bytes + threads() * (product(n + 1) * landed_corner + slice);
+}
+
+double bytes_of_picture(const Scenario& s) {
+    const glm::ivec2 size = s.camera->camera.size;
+    constexpr double strip_columns = 32;
+    const double cells = product(s.beams->grid) * (s.beams->refine_below ? 4 : 1);
+    return product(size) * picture_pixel + threads() * strip_columns * size.y * strip_pixel + cells * shown_cell;
+}
+
+double bytes_of_walls(const Scenario& s) {
+    if (s.domain.cells.x == 0) return 0;
+    const Boundary sides = resolve_boundary(s);
+    double pixels = 0;
+    for (int wall = 0; wall < 4; ++wall) {
+        if ((wall < 2 ? sides.x : sides.y) != Side::wall) continue;
+        const WallPlan plan = wall_plan(wall_settings(s), grid_of(s), wall);
+        pixels += product({plan.columns, plan.rows});
+    }
+    return pixels * wall_pixel * std::max<double>(1, static_cast<double>(bands_of(s).size()));
 }
 
 std::string in_gib(double bytes) { return fmt::format("{:.3g} GiB", bytes / (1 << 30)); }
@@ -83,6 +134,9 @@ MemoryEstimate estimate_memory(const Scenario& scenario) {
         const glm::dvec3 v(*scenario.beams->volume_cells);
         estimate.volume = v.x * v.y * v.z * volume_cell;
     }
+    if (scenario.beams) estimate.beams = bytes_of_beams(*scenario.beams);
+    if (scenario.beams && scenario.camera) estimate.picture = bytes_of_picture(scenario);
+    if (scenario.walls) estimate.walls = bytes_of_walls(scenario);
     if (!scenario.floor) return estimate;
     const glm::ivec2 pixels = scenario.floor->pixels;
     const double maps = std::max<double>(1, static_cast<double>(bands_of(scenario).size()));
@@ -107,24 +161,47 @@ double machine_memory() {
     return limit > 0 ? std::min(available, limit) : available;
 }
 
+namespace {
+
+/// A part of the estimate, the key that makes it large and what that says.
+struct MemoryPart {
+    double bytes = 0;
+    std::string key, value;
+    std::string each;  ///< "260 bytes a cell"; empty where several things add up
+};
+
+std::vector<MemoryPart> parts_of(const Scenario& s, const MemoryEstimate& estimate) {
+    const auto pair = [](glm::ivec2 n) { return fmt::format("[{}, {}]", n.x, n.y); };
+    const auto each = [](double bytes, glm::ivec2 n, const char* of) {
+        return fmt::format(" ({:.0f} bytes a {})", bytes / product(n), of);
+    };
+    std::vector<MemoryPart> parts{
+        {estimate.cells, "domain.cells", pair(s.domain.cells), each(estimate.cells, s.domain.cells, "cell")}};
+    if (s.floor)
+        parts.push_back({estimate.pixels, "caustics.floor.pixels", pair(s.floor->pixels),
+                         each(estimate.pixels, s.floor->pixels, "pixel")});
+    if (s.beams) parts.push_back({estimate.beams, "caustics.beams.grid", pair(s.beams->grid), {}});
+    if (s.beams && s.beams->volume_cells) {
+        const glm::ivec3 v = *s.beams->volume_cells;
+        parts.push_back(
+            {estimate.volume, "caustics.beams.volume_cells", fmt::format("[{}, {}, {}]", v.x, v.y, v.z), {}});
+    }
+    if (s.camera) parts.push_back({estimate.picture, "camera.pixels", pair(s.camera->camera.size), {}});
+    if (s.walls) parts.push_back({estimate.walls, "caustics.walls.pixel_m", fmt::format("{}", s.walls->pixel_m), {}});
+    return parts;
+}
+
+}  // namespace
+
 void check_memory(const Scenario& scenario, double available) {
     const MemoryEstimate estimate = estimate_memory(scenario);
     if (estimate.total() <= available) return;
-    if (estimate.volume > std::max(estimate.cells, estimate.pixels)) {
-        const glm::ivec3 v = *scenario.beams->volume_cells;
-        scenario.origin.reject(
-            "caustics.beams.volume_cells",
-            fmt::format("[{}, {}, {}], which takes some {}", v.x, v.y, v.z, in_gib(estimate.total())),
-            fmt::format("what fits the {} of memory that this machine has free", in_gib(available)));
-    }
-    const bool cells_dominate = estimate.cells >= estimate.pixels;
-    const glm::ivec2 n = cells_dominate ? scenario.domain.cells : scenario.floor->pixels;
+    const std::vector<MemoryPart> parts = parts_of(scenario, estimate);
+    const MemoryPart& largest = *std::max_element(
+        parts.begin(), parts.end(), [](const MemoryPart& a, const MemoryPart& b) { return a.bytes < b.bytes; });
     scenario.origin.reject(
-        cells_dominate ? "domain.cells" : "caustics.floor.pixels",
-        fmt::format("[{}, {}], which takes some {}", n.x, n.y, in_gib(estimate.total())),
-        fmt::format("what fits the {} of memory that this machine has free ({:.0f} bytes a {})", in_gib(available),
-                    (cells_dominate ? estimate.cells : estimate.pixels) / (static_cast<double>(n.x) * n.y),
-                    cells_dominate ? "cell" : "pixel"));
+        largest.key, fmt::format("{}, which takes some {}", largest.value, in_gib(estimate.total())),
+        fmt::format("what fits the {} of memory that this machine has free{}", in_gib(available), largest.each));
 }
 
 }  // namespace waterlight

@@ -140,6 +140,25 @@ class Check : public ::testing::Test {
 const std::string holds = check("waves.volume", "equals = 2.0\ntolerance = 1e-6");
 const std::string fails = check("waves.volume", "equals = 3.0\ntolerance = 1e-3");
 
+TEST_F(Check, FieldsAndPicturesOfBothBackendsAgree) {
+    if (!gpu::survey().chosen) GTEST_SKIP() << "needs a Vulkan device";
+    const std::string water =
+        "[water]\nscattering_per_m = 0.1\n[caustics.beams]\ngrid = [16, 8]\nvolume_cells = [16, 8, 4]\n"
+        "[camera]\nposition_m = [0.1, 0.5, -0.5]\ntarget_m = [1.9, 0.5, -0.5]\npixels = [48, 32]\n";
+    const auto agree = [](const std::string& quantity, const char* tolerance) {
+        return check(quantity,
+                     std::string("agrees = { backend = \"vulkan\", relative_tolerance = ") + tolerance + " }");
+    };
+    const std::string scene = standing + water;
+    const Outcome good = run(
+        {write("a.toml", scene + agree("volume.plane_irradiance.max", "1e-4") + agree("camera.mean_radiance", "1e-2"))
+             .string()});
+    EXPECT_EQ(good.exit, 0) << good.output;
+    EXPECT_TRUE(has(good.output, "2 passed")) << good.output;
+    const Outcome bad = run({write("b.toml", scene + agree("camera.mean_radiance", "1e-15")).string()});
+    EXPECT_EQ(bad.exit, 1) << bad.output;
+}
+
 TEST_F(Check, FindsScenariosBelowAFolderAndPassesOverOtherFiles) {
     write("a.toml", standing + holds);
     write("deep/er/b.toml", standing + holds);

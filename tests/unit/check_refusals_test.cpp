@@ -81,6 +81,20 @@ INSTANTIATE_TEST_SUITE_P(
                 "quantity = \"surface.elevation.l2\"\nagrees = { tolerance = 1e-6 }\n", "the CPU alone computes"}),
     [](const auto& refused) { return refused.param.name; });
 
+TEST(CheckAgreement, IsOfWhatBothBackendsCompute) {
+    const std::string water =
+        "[caustics.beams]\nvolume_cells = [8, 8, 8]\n[camera]\nposition_m = [1, 2, -1]\ntarget_m = [4, 3, -1]\n"
+        "[[probe]]\nname = \"deep\"\nat_m = [2, 2]\ndepth_m = 1.0\n";
+    const auto outcome = [&](const char* quantity) {
+        return rejection(run + water + "[[check]]\nquantity = \"" + quantity + "\"\nagrees = { tolerance = 1e-6 }\n");
+    };
+    for (const char* quantity : {"volume.max_cv", "volume.plane_irradiance.max", "camera.mean_radiance",
+                                 "camera.radiance.max", "probe.g.irradiance", "probe.g.irradiance_cv"})
+        EXPECT_EQ(outcome(quantity), "accepted") << quantity;
+    for (const char* quantity : {"probe.deep.irradiance", "probe.deep.scalar_irradiance", "beams.ledger.floor"})
+        EXPECT_NE(outcome(quantity).find("which the CPU alone computes"), std::string::npos) << quantity;
+}
+
 TEST(CheckTimes, WhatIsAllowedIsAccepted) {
     for (const char* check :
          {"quantity = \"floor.cv\"\nbelow = 1.0\nat_s = 4.0\n", "quantity = \"floor.cv\"\nbelow = 1.0\nat_s = 0.0\n",

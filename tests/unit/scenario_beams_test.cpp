@@ -85,6 +85,12 @@ TEST(ScenarioBeams, GroundIsForThemWherePrescribedWavesDoNotFeelIt) {
     const std::string rock = "[[domain.ground]]\ntype = \"cone\"\nat_m = [1, 1]\ntoe_radius_m = 1.0\nheight_m = 1.0\n";
     const std::string tilted = "[waves]\nmodel = \"prescribed\"\nduration_s = 1.0\n";
     EXPECT_EQ(parse(least + rock + tilted + beams).domain.ground.size(), 1U);
+    const std::string gauge = "[[probe]]\nname = \"a\"\nat_m = [3, 3]\n";
+    EXPECT_NE(rejection(least + rock + tilted + beams + "[caustics.floor]\n").find("caustics.floor: found it beside"),
+              std::string::npos);
+    EXPECT_NE(rejection(least + rock + tilted + beams + gauge).find("probe[0]: found it beside domain.ground"),
+              std::string::npos);
+    EXPECT_EQ(rejection(least + rock + tilted + beams + gauge + "depth_m = 1.0\n"), "accepted");
     const std::string message = rejection(least + rock + tilted);
     EXPECT_NE(message.find("without [caustics.beams]"), std::string::npos) << message;
     // How deep the ground is shows when its file is read.
@@ -113,6 +119,40 @@ TEST(ScenarioBeams, FieldsThatDoNotFitTheMachineAreRejected) {
     const Scenario s = parse(least + "[caustics.beams]\nvolume_cells = [1024, 1024, 1024]\n");
     EXPECT_GT(estimate_memory(s).total(), 5e10);
     EXPECT_THROW(check_memory(s, 8e9), InputError);
+}
+
+/// What is allocated (caustics/beams.cpp): eight floats a corner, two a cell.
+TEST(ScenarioBeams, GridsThatDoNotFitTheMachineAreRejected) {
+    const Scenario s = parse(least + "[caustics.beams]\ngrid = [16384, 16384]\n");
+    const double corners = 16385.0 * 16385, cells = 16384.0 * 16384;
+    EXPECT_DOUBLE_EQ(estimate_memory(s).beams, 32 * corners + 8 * cells);
+    try {
+        check_memory(s, 8e9);
+        ADD_FAILURE() << "accepted";
+    } catch (const InputError& error) {
+        const std::string message = error.what();
+        EXPECT_NE(message.find("caustics.beams.grid: found [16384, 16384], which takes some 10 GiB"), std::string::npos)
+            << message;
+    }
+    Scenario more = s;
+    more.beams->reflected = ReflectedSection{};
+    EXPECT_DOUBLE_EQ(estimate_memory(more).beams, 2 * estimate_memory(s).beams);
+    more.beams->volume_cells = glm::ivec3(16, 16, 16);
+    EXPECT_GT(estimate_memory(more).beams, 2 * estimate_memory(s).beams + 12 * corners);
+}
+
+TEST(ScenarioBeams, PicturesAndWallsTakeMemory) {
+    const auto with_camera = [](const char* pixels) {
+        return parse(least + beams + "[camera]\nposition_m = [1, 2, -1]\ntarget_m = [4, 3, -1]\npixels = " + pixels);
+    };
+    const double small = estimate_memory(with_camera("[100, 100]\n")).picture,
+                 large = estimate_memory(with_camera("[10000, 10000]\n")).picture;
+    EXPECT_GT(large - small, 8.0 * 9.9e7);
+    EXPECT_THROW(check_memory(with_camera("[10000, 10000]\n"), 1e9), InputError);
+    const auto with_walls = [](const char* pixel) {
+        return estimate_memory(parse(least + "[caustics.walls]\npixel_m = " + pixel)).walls;
+    };
+    EXPECT_NEAR(with_walls("0.005\n") / with_walls("0.01\n"), 4, 0.05);
 }
 
 }  // namespace

@@ -60,10 +60,16 @@ TEST(ScenarioLight, WhatDoesNotGoTogetherIsRejected) {
     expect(map + rgb + "[water]\ntype = \"harbour\"\n", "water.type", "beside light.colour");
     expect(rgb, "light.colour", "without [caustics.floor]");
     expect("[light]\ndisc_deg = 0.3\n", "light.disc_deg", "without [caustics.floor]");
+    expect(map + "[light]\nelevation_deg = 2.0\ndisc_deg = 2.5\n", "light.disc_deg", "at most light.elevation_deg = 2");
+    EXPECT_EQ(rejection(least + map + "[light]\nelevation_deg = 2.5\ndisc_deg = 2.5\n"), "accepted");
+    expect(map + "method = \"truth\"\nfootprint = \"pixel\"\n", "caustics.floor.footprint", "truth");
     expect(map + "method = \"truth\"\n[light]\ndisc_deg = 0.3\n", "light.disc_deg", "truth");
     expect("[waves]\nboundary = { x = \"periodic\", y = \"absorbing\" }\n[caustics.walls]\n", "caustics.walls",
            "without a side that is a wall");
     expect("[caustics.walls]\npixel_m = 1e-5\n", "caustics.walls.pixel_m", "at most 1e8 pixels");
+    expect("bathymetry = \"bed.vti\"\n[caustics.walls]\n", "caustics.walls", "beside domain.bathymetry");
+    expect("[[domain.ground]]\ntype = \"beach\"\nat_m = [1, 1]\nslope = 0.1\n[caustics.walls]\n", "caustics.walls",
+           "beside domain.ground");
     expect(map + "receiver = \"ground\"\n", "caustics.floor.receiver", "model shallow-water");
     expect(map + "per_area = \"horizontal\"\n", "caustics.floor.per_area", "receiver ground");
     const std::string shallow = "[waves]\nmodel = \"shallow-water\"\n";

@@ -1,0 +1,12 @@
+// What the light of a scene costs in time.
+#pragma once
+
+#include "scenarios/choose.hpp"
+
+namespace waterlight {
+
+/// Seconds of floor map, walls, beams, fields and pictures over the whole run, from scenarios/costs.hpp, once cells,
+/// pixels and beams are known. A picture counts as if the beams filled it.
+double light_seconds(const Scenario& scenario, const LightDemand& light, glm::ivec2 cells);
+
+}  // namespace waterlight
