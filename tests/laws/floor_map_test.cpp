@@ -265,5 +265,29 @@ TEST(FloorMap, ThePapersFootprintStaysNearEightPercent) {
     }
 }
 
+/// Every facet that faces the sun is lit, in the lee of a crest or not: E0 times the mean of max(0, sin el + cos el g
+/// cos) over a wave of steepest slope g. Where the sun is higher than that slope, E0 sin el, which is all there is.
+TEST(FloorMap, FacetsDoNotShadeEachOther) {
+    constexpr int per_wave = 512;
+    constexpr double amplitude = .02, wavelength = .5, slope = 2 * std::numbers::pi * amplitude / wavelength;
+    const Grid grid = make_grid(per_wave, 4, wavelength, 4 * wavelength / per_wave);
+    for (const double elevation : {2.0, 8.0, 20.0, 60.0}) {
+        FloorSettings s = settings_for(grid, per_wave, 4, elevation);
+        s.sun.azimuth_deg = 0;
+        const FloorMap map = map_of(s, sample(grid, periodic, sines({{amplitude, wavelength, 0}})));
+        const double sin_el = std::sin(elevation * std::numbers::pi / 180),
+                     tilt = slope * std::sqrt(1 - sin_el * sin_el);
+        const double lit = std::acos(-std::min(1.0, sin_el / tilt));  // of half a wave, in radians
+        const double expected = (sin_el * lit + tilt * std::sin(lit)) / std::numbers::pi;
+        const double incident = map.ledger.incident_w / (grid.width_m() * grid.height_m());
+        EXPECT_NEAR(incident, expected, 2e-4 * expected) << elevation;
+        if (sin_el > tilt) {
+            EXPECT_NEAR(expected, sin_el, 1e-12);
+        }
+        RecordProperty("incident_over_horizontal_" + std::to_string(static_cast<int>(elevation)),
+                       std::to_string(incident / sin_el));
+    }
+}
+
 }  // namespace
 }  // namespace waterlight
