@@ -204,8 +204,8 @@ class ItemRunner {
     }
 
     fs::path series_of(int i, const fs::path& out) const {
-        const bool of_floor = field_statistic(check(i).quantity)->field.starts_with("floor.");
-        return fs::absolute(out / (of_floor ? "floor.pvd" : "surface.pvd"));
+        const std::string_view field = field_statistic(check(i).quantity)->field;
+        return fs::absolute(out / fmt::format("{}.pvd", field.substr(0, field.find('.'))));
     }
 
     static std::vector<std::string> with_fields() {

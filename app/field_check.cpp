@@ -22,11 +22,12 @@ namespace fs = std::filesystem;
 struct Values {
     int nx = 0, ny = 0;
     std::vector<double> values;
+    int layers = 1;  ///< of a field in the water, among the rows
 };
 
 template <class T>
-Values values_of(const Field<T>& field) {
-    return {field.nx(), field.ny(), {field.values().begin(), field.values().end()}};
+Values values_of(const Field<T>& field, int layers = 1) {
+    return {field.nx(), field.ny(), {field.values().begin(), field.values().end()}, layers};
 }
 
 /// Depth (m) of the water; over a flat floor where the model has none of its own.
@@ -47,8 +48,8 @@ Values field_of(const Scenario& scenario, std::string_view name, const FrameFiel
     if (name == "surface.velocity_x") return values_of(*s.velocity_x);
     if (name == "surface.velocity_y") return values_of(*s.velocity_y);
     if (name == "floor.irradiance") return values_of(frame.floor->irradiance);
-    if (name == "volume.plane_irradiance") return values_of(frame.volume->plane_irradiance);
-    if (name == "volume.scalar_irradiance") return values_of(frame.volume->scalar_irradiance);
+    if (name == "volume.plane_irradiance") return values_of(frame.volume->plane_irradiance, frame.volume->cells.z);
+    if (name == "volume.scalar_irradiance") return values_of(frame.volume->scalar_irradiance, frame.volume->cells.z);
     assert(name == "camera.radiance");
     return values_of(frame.picture->radiance);
 }
@@ -63,8 +64,13 @@ fs::path file_at(const fs::path& reference, double time_s) {
                                  files.size(), files.front().time_s, files.back().time_s));
 }
 
-/// Means of blocks, so that the result has nx by ny values.
-Values coarsened(const Values& fine, int nx, int ny, const fs::path& file) {
+/// Means of blocks, so that the result has as many values as `own`; fields in the water are compared cell by cell.
+Values coarsened(const Values& fine, const Values& own, const fs::path& file) {
+    const int nx = own.nx, ny = own.ny;
+    const bool in_water = own.layers > 1 || fine.layers > 1;
+    if (in_water && (fine.layers != own.layers || fine.nx != nx || fine.ny != ny))
+        throw InputError(fmt::format("{} has {} x {} x {} values; allowed: the run's {} x {} x {}", file.string(),
+                                     fine.nx, fine.ny / fine.layers, fine.layers, nx, ny / own.layers, own.layers));
     const int bx = fine.nx / nx, by = fine.ny / ny;
     if (bx < 1 || by < 1 || bx * nx != fine.nx || by * ny != fine.ny)
         throw InputError(fmt::format("{} has {} x {} values; allowed: a whole multiple of the run's {} x {}",
@@ -84,7 +90,8 @@ Values reference_of(const Scenario& scenario, const Check& check, const Values& 
     if (*check.reference == "exact") return values_of(exact_field(scenario, name, time_s));
     const fs::path file = file_at(*check.reference, time_s);
     const std::string array(name.substr(name.find('.') + 1));
-    return coarsened(values_of(read_vti_double(file, array).values), own.nx, own.ny, file);
+    const VtiScalars<double> read = read_vti_volume(file, array);
+    return coarsened(values_of(read.values, read.layers), own, file);
 }
 
 double pick(const FieldNorms& n, std::string_view statistic) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "sim/vtk_xml.hpp"
 
@@ -15,7 +16,8 @@ namespace {
 
 /// Ranges of points, ends included.
 struct Extent {
-    int x0 = 0, x1 = 0, y0 = 0, y1 = 0;
+    int x0 = 0, x1 = 0, y0 = 0, y1 = 0, z0 = 0, z1 = 0;
+    bool is_flat() const { return z1 <= static_cast<long long>(z0) + 1; }
 };
 
 /// One kind of data, on the cells or on the points, of a file: where its values lie.
@@ -33,7 +35,8 @@ constexpr Location locations[] = {{"CellData", true}, {"PointData", false}};
 /// A header may claim any size: no file of this many bytes can hold more points, at zlib's best compression.
 void check_size(const VtkXml& file, const Extent& e) {
     constexpr double best_compression = 1032;
-    const double points = (static_cast<double>(e.x1) - e.x0 + 1) * (static_cast<double>(e.y1) - e.y0 + 1);
+    const double layers = e.is_flat() ? 1 : static_cast<double>(e.z1) - e.z0 + 1;
+    const double points = (static_cast<double>(e.x1) - e.x0 + 1) * (static_cast<double>(e.y1) - e.y0 + 1) * layers;
     if (points > best_compression * static_cast<double>(file.bytes())) {
         file.reject(fmt::format("claims {:.0f} points, more than its {} bytes can hold", points, file.bytes()));
     }
@@ -43,8 +46,7 @@ Extent extent_of(const VtkXml& file, vtkXMLDataElement& element, const char* att
     std::array<int, 6> e{};
     if (element.GetVectorAttribute(attribute, 6, e.data()) != 6) file.reject("has no sound " + std::string(attribute));
     if (e[1] < e[0] || e[3] < e[2] || e[5] < e[4]) file.reject("holds no points");
-    if (e[5] > static_cast<long long>(e[4]) + 1) file.reject("holds a volume; a flat image is wanted");
-    const Extent extent{e[0], e[1], e[2], e[3]};
+    const Extent extent{e[0], e[1], e[2], e[3], e[4], e[5]};
     check_size(file, extent);
     return extent;
 }
@@ -112,16 +114,23 @@ std::vector<Real> numbers_of(VtkXml& file, vtkXMLDataElement& array, std::size_t
     }
 }
 
+/// A flat image has one, of cells or of points.
+int layers_of(const Extent& e, const Location& at) { return e.is_flat() ? 1 : at.count(e.z0, e.z1); }
+
 /// Copies one piece of the image to its place; returns how many values it held.
 template <class Real>
 std::size_t read_piece(VtkXml& file, vtkXMLDataElement& piece, const Extent& whole, const Location& at,
                        std::pair<const std::string&, Field<Real>&> wanted) {
     auto& [name, field] = wanted;
     const Extent part = extent_of(file, piece, "Extent");
-    const int nx = at.count(part.x0, part.x1), ny = at.count(part.y0, part.y1);
+    const int nx = at.count(part.x0, part.x1), rows = at.count(part.y0, part.y1);
+    const int layers = layers_of(part, at);
     const bool inside = part.x0 >= whole.x0 && part.y0 >= whole.y0 && part.x0 - whole.x0 + nx <= field.nx() &&
-                        part.y0 - whole.y0 + ny <= field.ny();
-    if (!inside) file.reject("has a piece outside its whole extent");
+                        part.y0 - whole.y0 + rows <= field.ny() && part.z0 == whole.z0 && part.z1 == whole.z1;
+    // Rows of a volume lie layer after layer: its one piece is all of it.
+    const bool all = part.y0 == whole.y0 && part.y1 == whole.y1;
+    if (!inside || (layers > 1 && !all)) file.reject("has a piece outside its whole extent");
+    const int ny = rows * layers;
     vtkXMLDataElement* array = array_named(piece, at, name);
     if (array == nullptr) reject_missing(file, piece, name);
     check_scalar(file, *array);
@@ -144,20 +153,25 @@ std::optional<double> time_of(VtkXml& file, vtkXMLDataElement& image) {
 }
 
 template <class Real>
-VtiScalars<Real> read_array(const std::filesystem::path& path, const std::string& name) {
+VtiScalars<Real> read_array(const std::filesystem::path& path, const std::string& name, bool volume = false) {
     VtkXml file(path, "ImageData");
     vtkXMLDataElement* image = VtkXml::find(file.root(), "ImageData");
     if (image == nullptr) file.reject("has no element ImageData");
     const std::vector<vtkXMLDataElement*> pieces = VtkXml::find_all(*image, "Piece");
     if (pieces.empty()) file.reject("has no element Piece");
     const Extent whole = extent_of(file, *image, "WholeExtent");
+    if (!volume && !whole.is_flat()) file.reject("holds a volume; a flat image is wanted");
     const auto* const at = std::ranges::find_if(
         locations, [&](const Location& location) { return array_named(*pieces[0], location, name) != nullptr; });
     if (at == std::end(locations)) reject_missing(file, *pieces[0], name);
 
     VtiScalars<Real> field;
     field.grid = grid_of(file, *image, whole, *at);
-    field.values = Field<Real>(field.grid.nx, field.grid.ny);
+    field.layers = layers_of(whole, *at);
+    const double rows = static_cast<double>(field.grid.ny) * field.layers;
+    if (rows > std::numeric_limits<int>::max()) file.reject("has too many layers");
+    if (field.layers > 1 && pieces.size() > 1) file.reject("is a volume in pieces; one piece is wanted");
+    field.values = Field<Real>(field.grid.nx, field.grid.ny * field.layers);
     std::size_t values = 0;
     for (vtkXMLDataElement* piece : pieces) values += read_piece<Real>(file, *piece, whole, *at, {name, field.values});
     if (values < field.values.size()) file.reject("has pieces that do not cover its whole extent");
@@ -171,6 +185,10 @@ VtiField read_vti(const std::filesystem::path& path, const std::string& name) { 
 
 VtiScalars<double> read_vti_double(const std::filesystem::path& path, const std::string& name) {
     return read_array<double>(path, name);
+}
+
+VtiScalars<double> read_vti_volume(const std::filesystem::path& path, const std::string& name) {
+    return read_array<double>(path, name, true);
 }
 
 }  // namespace waterlight

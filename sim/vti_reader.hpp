@@ -16,6 +16,7 @@ template <class Real>
 struct VtiScalars {
     Grid grid;
     Field<Real> values;
+    int layers = 1;                ///< along z, one after another along the rows of the values
     std::optional<double> time_s;  ///< the file's "TimeValue"
 };
 using VtiField = VtiScalars<float>;
@@ -27,6 +28,9 @@ VtiField read_vti(const std::filesystem::path& path, const std::string& name);
 
 /// The same array in double precision.
 VtiScalars<double> read_vti_double(const std::filesystem::path& path, const std::string& name);
+
+/// The same of an image that may have any number of layers, in one piece where it has several.
+VtiScalars<double> read_vti_volume(const std::filesystem::path& path, const std::string& name);
 
 /// One file of a series.
 struct TimedFile {

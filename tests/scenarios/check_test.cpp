@@ -150,13 +150,18 @@ TEST_F(Check, FieldsAndPicturesOfBothBackendsAgree) {
                      std::string("agrees = { backend = \"vulkan\", relative_tolerance = ") + tolerance + " }");
     };
     const std::string scene = standing + water;
-    const Outcome good = run(
-        {write("a.toml", scene + agree("volume.plane_irradiance.max", "1e-4") + agree("camera.mean_radiance", "1e-2"))
-             .string()});
+    const std::string field = "volume.scalar_irradiance.relative_l2";
+    const std::string agreeing = agree("volume.plane_irradiance.max", "1e-4") + agree("camera.mean_radiance", "1e-2") +
+                                 check(field, "agrees = { backend = \"vulkan\", tolerance = 1e-4 }");
+    const Outcome good = run({write("a.toml", scene + agreeing).string()});
     EXPECT_EQ(good.exit, 0) << good.output;
-    EXPECT_TRUE(has(good.output, "2 passed")) << good.output;
-    const Outcome bad = run({write("b.toml", scene + agree("camera.mean_radiance", "1e-15")).string()});
-    EXPECT_EQ(bad.exit, 1) << bad.output;
+    EXPECT_TRUE(has(good.output, "3 passed")) << good.output;
+    for (const std::string& unequal : {agree("camera.mean_radiance", "1e-15"),
+                                       check(field, "agrees = { backend = \"vulkan\", tolerance = 1e-15 }")}) {
+        const Outcome bad = run({write("b.toml", scene + unequal).string()});
+        EXPECT_EQ(bad.exit, 1) << bad.output;
+        EXPECT_TRUE(has(bad.output, "1 failed")) << bad.output;
+    }
 }
 
 TEST_F(Check, FindsScenariosBelowAFolderAndPassesOverOtherFiles) {

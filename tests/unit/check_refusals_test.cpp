@@ -88,8 +88,9 @@ TEST(CheckAgreement, IsOfWhatBothBackendsCompute) {
     const auto outcome = [&](const char* quantity) {
         return rejection(run + water + "[[check]]\nquantity = \"" + quantity + "\"\nagrees = { tolerance = 1e-6 }\n");
     };
-    for (const char* quantity : {"volume.max_cv", "volume.plane_irradiance.max", "camera.mean_radiance",
-                                 "camera.radiance.max", "probe.g.irradiance", "probe.g.irradiance_cv"})
+    for (const char* quantity :
+         {"volume.max_cv", "volume.plane_irradiance.relative_l2", "volume.plane_irradiance.max", "camera.mean_radiance",
+          "camera.radiance.max", "probe.g.irradiance", "probe.g.irradiance_cv"})
         EXPECT_EQ(outcome(quantity), "accepted") << quantity;
     for (const char* quantity : {"probe.deep.irradiance", "probe.deep.scalar_irradiance", "beams.ledger.floor"})
         EXPECT_NE(outcome(quantity).find("which the CPU alone computes"), std::string::npos) << quantity;

@@ -101,6 +101,23 @@ TEST(VtiReader, SaysWhatIsWrongWithAnArray) {
     EXPECT_NE(vti_complaint(path, "count").find("Int32"), std::string::npos);
 }
 
+TEST(VtiReader, ReadsAVolumeLayerAfterLayerWhereOneIsWanted) {
+    const TemporaryFolder folder;
+    VtiFrame frame;
+    frame.cells = {2, 3, 4};
+    const Field<float> values = noise(24, 1, 1);
+    frame.arrays.push_back({"plane", {values.values()}});
+    write_vti(folder / "volume.vti", frame, Compression::none);
+    const VtiScalars<double> read = read_vti_volume(folder / "volume.vti", "plane");
+    EXPECT_EQ(read.layers, 4);
+    EXPECT_EQ(read.grid.ny, 3);
+    ASSERT_EQ(read.values.size(), 24U);
+    for (std::size_t i = 0; i < 24; ++i) EXPECT_EQ(read.values.data()[i], values.data()[i]) << i;
+    frame.cells = {4, 6, 0};
+    write_vti(folder / "flat.vti", frame, Compression::none);
+    EXPECT_EQ(read_vti_volume(folder / "flat.vti", "plane").layers, 1);
+}
+
 TEST(VtiReader, SaysWhatIsWrongWithAnImage) {
     const TemporaryFolder folder;
     VtiFrame frame;
