@@ -31,6 +31,7 @@ struct Ray {
     float metres;      // |r|
     float per_length;  // one over it
     float entry;
+    vec2 phase;        // the phase function's value as a fraction
 };
 
 WaterSpan beam_span(int beam, vec3 r, WaterSpan span) {
@@ -39,7 +40,6 @@ WaterSpan beam_span(int beam, vec3 r, WaterSpan span) {
     return span;
 }
 
-// The phase function's value as a fraction.
 vec2 phase_fraction(Ray ray) {
     float cosine = towards_eye(mean.xy, mean.z, ray.r) * ray.per_length;
     if (!tabulated) return vec2(1, henyey_greenstein_inverse(p.mean_cosine, cosine));
@@ -52,18 +52,17 @@ vec2 phase_fraction(Ray ray) {
 BeamChord meet(Ray ray, WaterSpan span, bool cut_all) {
     vec3 r = ray.r;
     vec2 v = speed_past(mean.xy, r);
-    vec2 phase = phase_fraction(ray);
     CellCorners c = cell_corners(edge_numbers(edge[0].xy, edge[0].zw, v), edge_numbers(edge[1].xy, edge[1].zw, v),
                                  edge_numbers(edge[2].xy, edge[2].zw, v), edge_numbers(edge[3].xy, edge[3].zw, v), v,
                                  r.z, span.near, span.far);
-    BeamChord first = beam_chord(c.c0, c.c1, c.c2, phase.y);
-    BeamChord second = beam_chord(c.c0, c.c2, c.c3, phase.y);
+    BeamChord first = beam_chord(c.c0, c.c1, c.c2, ray.phase.y);
+    BeamChord second = beam_chord(c.c0, c.c2, c.c3, ray.phase.y);
     float over = max(chord_excess(first, span.near, span.far, r.z, power.z),
                      chord_excess(second, span.near, span.far, r.z, power.z));
     if (uneven)
         over = max(over, max(chord_excess_below(first, r.z, power.w), chord_excess_below(second, r.z, power.w)));
-    first.density *= power.x * phase.x;
-    second.density *= power.y * phase.x;
+    first.density *= power.x * ray.phase.x;
+    second.density *= power.y * ray.phase.x;
     if (cut_all || over > 0) {
         first = cut_chord(first, beam_span(0, r, span));
         second = cut_chord(second, beam_span(1, r, span));
@@ -106,8 +105,7 @@ float follow(Ray ray, vec2 v, WaterSpan span) {
                                         begin + 0.5 * step);
         a = b;
     }
-    vec2 phase = phase_fraction(ray);
-    return sum * ray.metres * phase.x / phase.y;
+    return sum * ray.metres * ray.phase.x / ray.phase.y;
 }
 
 void main() {
@@ -117,6 +115,7 @@ void main() {
             pixel.y * vec3(p.up_x, p.up_y, p.up_z);
     ray.metres = length(ray.r);
     ray.per_length = 1 / ray.metres;
+    ray.phase = phase_fraction(ray);
     WaterSpan span = water_span(ray.r, vec3(p.low_x, p.low_y, p.low_z), vec3(p.high_x, p.high_y, p.high_z));
     ray.entry = span.near;
     span.far = min(span.far, p.range * ray.per_length);
