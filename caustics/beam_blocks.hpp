@@ -33,6 +33,8 @@ struct Chords {
 struct Constants {
     alignas(64) float per_row[cell_forms];
     std::array<float, 2> top_distance, ground_distance, power;
+    std::array<f32::BeamEdge, 4> edge;
+    float off2;
     float lowest_lid, highest_end, above, path, extinction;
 };
 
@@ -42,6 +44,7 @@ struct Section {
     const float* at;
 
     float number(int form, float row) const { return at[form] + constant.per_row[form] * row; }
+    glm::vec2 speed(float row) const { return {number(speed_x, row), number(speed_y, row)}; }
     f32::EdgeNumbers edge(int k, float row) const {
         const int own = k * numbers_of_edge;
         return {number(own + along, row), number(own + across, row), number(own + leads, row),
@@ -49,21 +52,28 @@ struct Section {
     }
 };
 
-/// Where the rays of a block meet the beams of a cell, and how much of their light they scatter there. Returns 1 where
-/// any chord is to be cut, else 0. `uneven`: the beams end on ground of their own.
+/// What is left to do for a block.
+enum Remains { to_cut = 1, to_follow = 2 };
+
+/// Where the rays of a block meet the beams of a cell, and how much of their light they scatter there; rays that run
+/// along the beams are left out. Returns the sum of `to_cut`, where any chord is to be cut, and `to_follow`, where any
+/// ray runs along. `uneven`: the beams end on ground of their own.
 template <bool uneven, class PhaseFunction>
 int meet(const Section& s, const Rays& rays, const PhaseFunction& phase, Chords& chords) {
     const float* __restrict near = rays.near, * __restrict far = rays.far, * __restrict per_length = rays.per_length;
+    const float* __restrict length = rays.length;
     Chords::OfBeam &beam0 = chords.beam[0], &beam1 = chords.beam[1];
     const float power0 = s.constant.power[0], power1 = s.constant.power[1];
     const float lowest_lid = s.constant.lowest_lid, highest_end = s.constant.highest_end;
-    int beyond = 0;
+    const float off2 = s.constant.off2;
+    int remains = 0;
 #pragma GCC ivdep
     for (int l = 0; l < lanes; ++l) {
         const float row = static_cast<float>(l), descent = s.number(down, row), from = near[l], to = far[l];
+        const glm::vec2 v = s.speed(row);
         const f32::CellCorners c =
-            f32::cell_corners(s.edge(0, row), s.edge(1, row), s.edge(2, row), s.edge(3, row),
-                              {s.number(speed_x, row), s.number(speed_y, row)}, descent, from, to);
+            f32::cell_corners(s.edge(0, row), s.edge(1, row), s.edge(2, row), s.edge(3, row), v, descent, from, to);
+        const bool along = f32::runs_along(v, length[l], descent, off2);
         const PhaseFraction p = phase(s.number(towards, row) * per_length[l]);
         const f32::BeamChord a = f32::beam_chord(c.c0, c.c1, c.c2, p.denominator);
         const f32::BeamChord b = f32::beam_chord(c.c0, c.c2, c.c3, p.denominator);
@@ -72,27 +82,34 @@ int meet(const Section& s, const Rays& rays, const PhaseFunction& phase, Chords&
         if (uneven)
             over = f32::max(over, f32::max(f32::chord_excess_below(a, descent, highest_end),
                                            f32::chord_excess_below(b, descent, highest_end)));
-        beam0.density[l] = power0 * p.numerator * a.density;
+        const float numerator = along ? 0 : p.numerator;
+        beam0.density[l] = power0 * numerator * a.density;
         beam0.begin[l] = a.begin;
         beam0.end[l] = a.end;
-        beam1.density[l] = power1 * p.numerator * b.density;
+        beam1.density[l] = power1 * numerator * b.density;
         beam1.begin[l] = b.begin;
         beam1.end[l] = b.end;
-        beyond |= static_cast<int>(over > 0);
+        remains |= static_cast<int>(over > 0) | (along ? to_follow : 0);
     }
-    return beyond;
+    return remains;
+}
+
+/// The part of a ray of the block that is in the water where one beam may be.
+template <bool uneven>
+f32::WaterSpan beam_span(const Section& s, f32::WaterSpan span, int beam, float row) {
+    span = f32::within_lid(span, s.number(top_lid + beam, row), s.constant.top_distance[beam]);
+    if (uneven) span = f32::within_lid(span, s.number(ground_lid + beam, row), s.constant.ground_distance[beam]);
+    return span;
 }
 
 /// Cuts the chords of one beam at their rays' ends, at the surface and on the ground.
 template <bool uneven>
 void cut(const Section& s, const Rays& rays, int beam, Chords::OfBeam& chords) {
     const float* __restrict near = rays.near, * __restrict far = rays.far;
-    const float top = s.constant.top_distance[beam], ground = s.constant.ground_distance[beam];
 #pragma GCC ivdep
     for (int l = 0; l < lanes; ++l) {
         const float row = static_cast<float>(l);
-        f32::WaterSpan span = f32::within_lid({near[l], far[l]}, s.number(top_lid + beam, row), top);
-        if (uneven) span = f32::within_lid(span, s.number(ground_lid + beam, row), ground);
+        const f32::WaterSpan span = beam_span<uneven>(s, {near[l], far[l]}, beam, row);
         const f32::BeamChord kept = f32::cut_chord({chords.density[l], chords.begin[l], chords.end[l]}, span);
         chords.density[l] = kept.density;
         chords.begin[l] = kept.begin;
@@ -135,6 +152,51 @@ void add_up_finely(const Section& s, const Rays& rays, const PhaseFunction& phas
     }
 }
 
+inline f32::CellSides sides_at(const Section& s, glm::vec2 v, float down, float t) {
+    const std::array<f32::BeamEdge, 4>& e = s.constant.edge;
+    return f32::cell_sides(
+        f32::beside_ray(e[0].at, e[0].travel, v, down, t), f32::beside_ray(e[1].at, e[1].travel, v, down, t),
+        f32::beside_ray(e[2].at, e[2].travel, v, down, t), f32::beside_ray(e[3].at, e[3].travel, v, down, t));
+}
+
+/// What the speeds of the edges span.
+inline f32::CellSides bends(const Section& s, glm::vec2 v, float down) {
+    const std::array<f32::BeamEdge, 4>& e = s.constant.edge;
+    return f32::cell_sides(f32::edge_speed(e[0].travel, v, down), f32::edge_speed(e[1].travel, v, down),
+                           f32::edge_speed(e[2].travel, v, down), f32::edge_speed(e[3].travel, v, down));
+}
+
+/// Adds what reaches the camera from the rays of a block that run along the cell's beams, from `parts` of their ways.
+template <bool uneven, class PhaseFunction>
+void follow(const Section& s, const Rays& rays, const PhaseFunction& phase, int parts) {
+    for (int k = 0; k < parts; ++k) {
+#pragma GCC ivdep
+        for (int l = 0; l < lanes; ++l) {
+            const float row = static_cast<float>(l), descent = s.number(down, row), length = rays.length[l];
+            const glm::vec2 v = s.speed(row);
+            const f32::WaterSpan ray{rays.near[l], rays.far[l]};
+            const float step = (ray.far - ray.near) / static_cast<float>(parts);
+            const float begin = ray.near + static_cast<float>(k) * step;
+            const f32::CellSides a = sides_at(s, v, descent, begin), b = sides_at(s, v, descent, begin + step);
+            const f32::WaterSpan first = beam_span<uneven>(s, ray, 0, row), second = beam_span<uneven>(s, ray, 1, row);
+            const f32::CellSides bend = bends(s, v, descent);
+            const float square = step * step;
+            const glm::vec3 diagonal{a.s20, b.s20, square * bend.s20};
+            const float density0 = f32::density_in_part(first, begin, step, {a.s01, b.s01, square * bend.s01},
+                                                        {a.s12, b.s12, square * bend.s12}, diagonal);
+            const float density1 = f32::density_in_part(
+                second, begin, step, -diagonal, {a.s23, b.s23, square * bend.s23}, {a.s30, b.s30, square * bend.s30});
+            const PhaseFraction p = phase(s.number(towards, row) * rays.per_length[l]);
+            const float light =
+                (s.constant.power[0] * density0 + s.constant.power[1] * density1) * p.numerator / p.denominator;
+            const float left = f32::beam_attenuation(s.constant.extinction, s.constant.path, s.constant.above, descent,
+                                                     rays.entry[l], length, begin + 0.5F * step);
+            const bool along = f32::runs_along(v, length, descent, s.constant.off2) & (step > 0);
+            rays.sum[l] += along ? length * light * left : 0;
+        }
+    }
+}
+
 /// Blocks of rays that meet one cell's beams, worked off many at a time: the processor then need not wait for one to be
 /// done.
 class BlockQueue {
@@ -147,6 +209,8 @@ class BlockQueue {
         }
         constant_.top_distance = v.top_distance;
         constant_.ground_distance = v.ground_distance;
+        constant_.edge = v.edge;
+        constant_.off2 = v.off2;
         constant_.power = {v.power[0] * scattering, v.power[1] * scattering};
         constant_.lowest_lid = v.lowest_lid;
         constant_.highest_end = v.highest_end;
@@ -166,15 +230,19 @@ class BlockQueue {
 
     template <bool uneven, class PhaseFunction>
     void work_off(const PhaseFunction& phase, int samples) {
-        std::array<int, capacity> beyond;
-        int count = 0;
+        std::array<int, capacity> beyond, along;
+        int count = 0, follows = 0;
         for (int k = 0; k < count_; ++k) {
-            beyond[count] = k;
-            count += meet<uneven>(section(k), block_rays_[k], phase, chords_[k]);
+            const int remains = meet<uneven>(section(k), block_rays_[k], phase, chords_[k]);
+            beyond[count] = along[follows] = k;
+            count += remains & to_cut;
+            follows += (remains & to_follow) / to_follow;
         }
         for (int k = 0; k < count; ++k)
             for (int beam = 0; beam < 2; ++beam)
                 cut<uneven>(section(beyond[k]), block_rays_[beyond[k]], beam, chords_[beyond[k]].beam[beam]);
+        for (int k = 0; k < follows; ++k)
+            follow<uneven>(section(along[k]), block_rays_[along[k]], phase, f32::parts_along(samples));
         for (int k = 0; k < count_; ++k) {
             if (samples == 1)
                 add_up(section(k), block_rays_[k], chords_[k]);

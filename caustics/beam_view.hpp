@@ -54,6 +54,8 @@ enum CellForm {
 /// What a cell is to one camera. Its edges are counted around it; beam 0 has edges 0, 1, 2, beam 1 has 0, 2, 3.
 struct CellView {
     std::array<glm::vec3, cell_forms> form;      ///< dot with r
+    std::array<f32::BeamEdge, 4> edge;           ///< with travel less the mean
+    float off2 = 0;                              ///< the most of it, squared
     std::array<float, 2> top_distance{0, 0};     ///< of the camera inside the triangle's plane, m
     std::array<float, 2> ground_distance{0, 0};  ///< above the plane of its end
     std::array<float, 2> power{0, 0};  ///< twice the flux over the light's cosine to the vertical, W; 0 where discarded
@@ -113,7 +115,9 @@ inline CellView view_of(const Beams& b, const CellCopy& copy, const std::array<g
         own[across] = f.across;
         own[leads] = f.leads;
         own[warps] = f.warps;
+        view.edge[k] = {edge[k].at, edge[k].travel - mean};
     }
+    view.off2 = f32::largest_off2(view.edge[0].travel, view.edge[1].travel, view.edge[2].travel, view.edge[3].travel);
     for (int axis = 0; axis < 3; ++axis) {
         glm::vec3 r{0, 0, 0};
         r[axis] = 1;

@@ -5,6 +5,6 @@ waterlight_test(truth_test
     SOURCES laws/truth_test.cpp
     LIBRARIES waterlight::caustics)
 waterlight_test(beams_test
-    SOURCES laws/beams_kernel.cpp laws/beams_grid.cpp laws/beams_volume.cpp
+    SOURCES laws/beams_along.cpp laws/beams_kernel.cpp laws/beams_grid.cpp laws/beams_volume.cpp
         laws/beams_image.cpp
     LIBRARIES waterlight::caustics)

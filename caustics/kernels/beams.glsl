@@ -133,15 +133,15 @@ KERNEL real towards_eye(real2 mean, real path, real3 r) {
 }
 
 // The section's corner on an edge: when the ray is abreast of it (the paper's plane section), and how far it then lies
-// beside the ray, times |V|. The warp is followed where the ray is in the water, from `near` to `far`; where the ray runs
-// along the beam within 2 degrees and is abreast of nothing or of everything, it is taken near the eye.
+// beside the ray, times |V|. The warp is followed where the ray is in the water, from `near` to `far`. Rays that run
+// along the beam are left to beams_along.glsl.
 struct SectionCorner {
     real time;
     real across;
 };
 
 KERNEL SectionCorner section_corner(EdgeNumbers e, real inverse_speed2, real down, real near, real far) {
-    real descent = clamp(-e.along * min(inverse_speed2, real(1000)), near, far) * down;
+    real descent = clamp(-e.along * inverse_speed2, near, far) * down;
     SectionCorner c;
     c.time = -(e.along + descent * e.leads) * inverse_speed2;
     c.across = e.across + descent * e.warps;

@@ -4,7 +4,9 @@
 
 namespace waterlight::f32 {
 #include "caustics/kernels/beams.glsl"
+#include "caustics/kernels/beams_along.glsl"
 }
 namespace waterlight::f64 {
 #include "caustics/kernels/beams.glsl"
+#include "caustics/kernels/beams_along.glsl"
 }

@@ -332,7 +332,7 @@ TEST(BeamImage, AlongTheLightUnderWavesNoRayIsLost) {
     Field<float> reference = many.radiance.clone();
     const double error = rmse(one.radiance, reference);
     RecordProperty("rmse_percent_one_section", std::to_string(100 * error));
-    EXPECT_LT(error, 0.1);
+    EXPECT_LT(error, 0.01);
 }
 
 TEST(BeamImage, MoreSectionsOfARayConverge) {
