@@ -181,7 +181,7 @@ def main():
         measured = (turned[-1] - turned[0]) / (2 * math.pi * periods) - 1
         worst = max(worst, abs(measured / expected - 1))
         print(f"{kind:10} kh {kh:4g} ka {ka:4g}: frequency {measured:+.3e} of Airy's, third order {expected:+.3e}")
-    return worst > 0.15
+    return int(worst > 0.15)
 
 
 if __name__ == "__main__":
