@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/fuzz/reader.hpp"
+#include "tests/support/damage.hpp"
 
 namespace {
 
@@ -28,32 +29,6 @@ void read(const std::string& bytes) {
     LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
 }
 
-/// A few bytes changed, a part cut out, doubled or brought in from another seed, or the end cut off.
-std::string damaged(std::string bytes, const std::vector<std::string>& seeds, std::mt19937& random) {
-    const std::string telling("0123456789.,-+eE \n\r\tnaif\"<>=#[]{}\xff\0", 37);
-    if (bytes.empty()) return bytes;
-    const std::string& other = seeds[random() % seeds.size()];
-    const std::size_t at = random() % bytes.size(), length = random() % 40;
-    switch (random() % 5) {
-        case 0:
-            bytes.resize(at);
-            break;
-        case 1:
-            bytes.erase(at, length);
-            break;
-        case 2:
-            bytes.insert(at, bytes.substr(at, length));
-            break;
-        case 3:
-            bytes.insert(at, other.substr(random() % (other.size() + 1), length));
-            break;
-        default:
-            for (auto changes = 1 + random() % 4; changes > 0; --changes)
-                bytes[random() % bytes.size()] = telling[random() % telling.size()];
-    }
-    return bytes;
-}
-
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -71,6 +46,6 @@ int main(int count, char** arguments) {
     for (const std::string& seed : seeds) read(seed);
     std::mt19937 random(17);
     const int copies = std::atoi(arguments[1]);
-    for (int i = 0; i < copies; ++i) read(damaged(seeds[random() % seeds.size()], seeds, random));
+    for (int i = 0; i < copies; ++i) read(waterlight::testing::damaged(seeds[random() % seeds.size()], seeds, random));
     std::printf("%zu seeds and %d damaged copies read\n", seeds.size(), copies);
 }

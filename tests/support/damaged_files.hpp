@@ -9,6 +9,7 @@
 #include <string>
 
 #include "sim/error.hpp"
+#include "tests/support/damage.hpp"
 #include "tests/unit/export_support.hpp"
 
 namespace waterlight::testing {
@@ -26,28 +27,6 @@ inline std::string complaint_of(const std::filesystem::path& path, const std::fu
     return "";
 }
 
-/// Up to four bytes changed, or a part cut out, doubled, or the end cut off.
-inline std::string damaged(std::string bytes, std::mt19937& random) {
-    const std::string telling = "0123456789.,-+eE \n\r\tnaif\"<>=#\xff";
-    const std::size_t at = random() % bytes.size(), length = random() % 40;
-    switch (random() % 4) {
-        case 0:
-            bytes.resize(at);
-            break;
-        case 1:
-            bytes.erase(at, length);
-            break;
-        case 2:
-            bytes.insert(at, bytes.substr(at, length));
-            break;
-        default:
-            for (auto changes = 1 + random() % 4; changes > 0; --changes) {
-                bytes[random() % bytes.size()] = telling[random() % telling.size()];
-            }
-    }
-    return bytes;
-}
-
 inline long peak_memory_kib() {
     rusage usage{};
     ::getrusage(RUSAGE_SELF, &usage);
@@ -62,7 +41,7 @@ inline void expect_survives_damage(const std::filesystem::path& path, const std:
     const long before_kib = peak_memory_kib();
     int rejected = 0;
     for (int i = 0; i < count; ++i) {
-        const std::string bytes = damaged(whole, random);
+        const std::string bytes = damaged(whole, std::span(&whole, 1), random);
         put_bytes(path, bytes);
         EXPECT_NO_THROW(rejected += complaint_of(path, read).empty() ? 0 : 1) << bytes;
     }
