@@ -19,8 +19,8 @@
 #include "app/recorder.hpp"
 #include "app/run_folder.hpp"
 #include "app/shallow_watch.hpp"
+#include "app/summary.hpp"
 #include "app/wall_stage.hpp"
-#include "caustics/kernels/optics.hpp"
 #include "export/checkpoint_file.hpp"
 #include "export/report.hpp"
 #include "gpu/error.hpp"
@@ -42,20 +42,6 @@ void timed(double& stage_s, Work work) {
     const Clock::time_point start = Clock::now();
     work();
     stage_s += std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// Irradiance (W/m2) on the floor below flat water.
-double still_irradiance(const Scenario& s) {
-    std::vector<Band> bands = bands_of(s);
-    if (bands.empty()) bands.push_back({.optics = s.optics});
-    double sum = 0;
-    for (const Band& band : bands) {
-        const double n = band.optics.refractive_index, fresnel = band.optics.fresnel ? 1 : 0;
-        const f64::Refraction r = f64::refract_sun(s.light.direction(), {0, 0}, n, fresnel);
-        const double remaining = f64::beer_lambert(band.optics.extinction_per_m(), s.domain.depth_m * r.path);
-        sum += band.share * s.light.irradiance_w_m2 * r.incident * r.transmittance * remaining;
-    }
-    return sum;
 }
 
 /// What a part of the program refuses, with the place of the section that asked for it.
@@ -409,29 +395,11 @@ class Run {
         write_json(out_ / "report.json", report_json(scenario_, backend_, record, checks));
         bool all_pass = true;
         for (const CheckResult& check : checks) all_pass = all_pass && (check.pass || check.is_left);
-        if (!options_.quiet) say(outputs, checks);
-        for (const CheckResult& check : checks)
-            if (!check.pass && !check.is_left && options_.quiet) fmt::print(stderr, "{}\n", text_of(check));
+        if (options_.quiet)
+            print_failures(checks);
+        else
+            print_summary(scenario_, backend_, record, checks, outputs.guide());
         return all_pass;
-    }
-
-    static std::string text_of(const CheckResult& check) {
-        if (check.is_left)
-            return fmt::format("check left to `waterlight check`, which makes other runs: {}, expected {}", check.name,
-                               check.expected);
-        const std::string within = check.tolerance > 0 ? fmt::format(" within {:.3g}", check.tolerance) : "";
-        return fmt::format("check {}: {} is {:.6g}, expected {}{}", check.pass ? "passed" : "FAILED", check.name,
-                           check.value, check.expected, within);
-    }
-
-    void say(const Outputs& outputs, const std::vector<CheckResult>& checks) {
-        const RunRecord& record = recorder_.record();
-        fmt::print("{}: {} frame{}, {:.4g} s of water in {:.1f} s, model {}, back-end {}\n",
-                   scenario_.title.empty() ? scenario_.origin.file.string() : scenario_.title, record.frames,
-                   record.frames == 1 ? "" : "s", record.simulated_s, record.wall.total, record.waves.model,
-                   backend_.backend == Backend::vulkan ? "vulkan on " + backend_.device : "cpu");
-        for (const CheckResult& check : checks) fmt::print("{}\n", text_of(check));
-        for (const std::string& line : outputs.guide()) fmt::print("{}\n", line);
     }
 
     /// Diagnostics of a model may cost as much as many steps: so many frames of a run are watched, and the last.

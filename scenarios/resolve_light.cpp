@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "caustics/kernels/optics.hpp"
+
 namespace waterlight {
 
 namespace {
@@ -36,6 +38,19 @@ WallSettings wall_settings(const Scenario& scenario) {
             .depth_m = scenario.domain.depth_m,
             .sun = scenario.light,
             .optics = scenario.optics};
+}
+
+double still_irradiance(const Scenario& s) {
+    std::vector<Band> bands = bands_of(s);
+    if (bands.empty()) bands.push_back({.optics = s.optics});
+    double sum = 0;
+    for (const Band& band : bands) {
+        const double n = band.optics.refractive_index, fresnel = band.optics.fresnel ? 1 : 0;
+        const f64::Refraction r = f64::refract_sun(s.light.direction(), {0, 0}, n, fresnel);
+        const double remaining = f64::beer_lambert(band.optics.extinction_per_m(), s.domain.depth_m * r.path);
+        sum += band.share * s.light.irradiance_w_m2 * r.incident * r.transmittance * remaining;
+    }
+    return sum;
 }
 
 }  // namespace waterlight

@@ -11,4 +11,7 @@ std::vector<Band> bands_of(const Scenario& scenario);
 /// Of the walls, for light of one colour. The scenario has them.
 WallSettings wall_settings(const Scenario& scenario);
 
+/// Irradiance (W/m2) on the floor below flat water, over all wavelengths.
+double still_irradiance(const Scenario& scenario);
+
 }  // namespace waterlight
