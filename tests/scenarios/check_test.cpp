@@ -151,14 +151,16 @@ TEST_F(Check, FieldsAndPicturesOfBothBackendsAgree) {
                      std::string("agrees = { backend = \"vulkan\", relative_tolerance = ") + tolerance + " }");
     };
     const std::string scene = standing + water;
-    const std::string field = "volume.scalar_irradiance.relative_l2";
+    const std::string field = "volume.scalar_irradiance.relative_l2", picture = "camera.radiance.relative_l2";
     const std::string agreeing = agree("volume.plane_irradiance.max", "1e-4") + agree("camera.mean_radiance", "1e-2") +
-                                 check(field, "agrees = { backend = \"vulkan\", tolerance = 1e-4 }");
+                                 check(field, "agrees = { backend = \"vulkan\", tolerance = 1e-4 }") +
+                                 check(picture, "agrees = { backend = \"vulkan\", tolerance = 1e-2 }");
     const Outcome good = run({write("a.toml", scene + agreeing).string()});
     EXPECT_EQ(good.exit, 0) << good.output;
-    EXPECT_TRUE(has(good.output, "3 passed")) << good.output;
-    for (const std::string& unequal : {agree("camera.mean_radiance", "1e-15"),
-                                       check(field, "agrees = { backend = \"vulkan\", tolerance = 1e-15 }")}) {
+    EXPECT_TRUE(has(good.output, "4 passed")) << good.output;
+    for (const std::string& unequal :
+         {agree("camera.mean_radiance", "1e-15"), check(field, "agrees = { backend = \"vulkan\", tolerance = 1e-15 }"),
+          check(picture, "agrees = { backend = \"vulkan\", tolerance = 1e-15 }")}) {
         const Outcome bad = run({write("b.toml", scene + unequal).string()});
         EXPECT_EQ(bad.exit, 1) << bad.output;
         EXPECT_TRUE(has(bad.output, "1 failed")) << bad.output;
