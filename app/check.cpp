@@ -15,6 +15,7 @@
 #include "app/check_table.hpp"
 #include "app/check_update.hpp"
 #include "app/junit.hpp"
+#include "app/signals.hpp"
 #include "export/atomic_file.hpp"
 #include "scenarios/memory.hpp"
 #include "sim/error.hpp"
@@ -27,6 +28,8 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+bool is_stopped(const CheckOptions& options) { return options.stop_signal && options.stop_signal() != 0; }
 
 /// Where the runs write; a folder that nobody asked for is removed at the end.
 class RunFolder {
@@ -118,7 +121,7 @@ class Pool {
     void show(std::size_t i) {
         const std::lock_guard lock(mutex_);
         ++done_;
-        if (options_.quiet) return;
+        if (options_.quiet || is_stopped(options_)) return;
         fmt::print(stderr, "{} of {} scenarios: {}, {:.1f} s\n", done_, total_, items_[i].name, outcomes_[i].wall_s);
     }
 
@@ -168,6 +171,16 @@ CheckExit worst_of(const std::vector<CheckItem>& items, const std::vector<ItemOu
     return worst;
 }
 
+/// What ends a check that was asked to stop: how much of it is left.
+Interrupted interruption(const std::vector<ItemOutcome>& outcomes, int signal) {
+    int all = 0, left = 0;
+    for (const ItemOutcome& outcome : outcomes) {
+        all += static_cast<int>(outcome.checks.size());
+        left += static_cast<int>(std::ranges::count(outcome.checks, Verdict::stopped, &CheckOutcome::verdict));
+    }
+    return {signal, fmt::format("{}: {} of {} checks were not judged", signal_name(signal), left, all)};
+}
+
 }  // namespace
 
 CheckExit run_checks(const CheckOptions& options) {
@@ -176,10 +189,11 @@ CheckExit run_checks(const CheckOptions& options) {
     for (const CheckItem& item : items)
         if (!item.wrong.empty()) fmt::print(stderr, "waterlight: {}\n", item.wrong);
     std::vector<ItemOutcome> outcomes = Pool(items, options).run();
-    if (options.update) update(items, outcomes);
+    if (options.update && !is_stopped(options)) update(items, outcomes);
     const double wall_s = seconds_since(start);
     fmt::print("{}{}", table_text(items, outcomes), summary_text(items, outcomes, options, wall_s));
     if (!options.junit.empty()) write_file(options.junit, junit_xml(items, outcomes, options, wall_s));
+    if (is_stopped(options)) throw interruption(outcomes, options.stop_signal());
     return worst_of(items, outcomes);
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,9 @@ struct CheckOptions {
     int threads = 1;                           ///< of the CPU, for all of them together
     bool update = false;                       ///< write values found in place of those that equals expects
     bool quiet = false;                        ///< no progress
+    double timeout_s = std::numeric_limits<double>::infinity();  ///< wall time that the runs of a scenario may take
+    /// The signal that asks to stop, 0 while there is none; empty: nothing does.
+    std::function<int()> stop_signal;
     std::string backend = "auto";
     std::vector<std::string> overrides;
 };
@@ -26,7 +31,8 @@ enum class CheckExit { passed, failed, wrong_scenario, world_failed };
 
 /// Reads every scenario, then runs those that are right, several at once within memory and threads, each as a process
 /// of its own; prints a table, and for each failure what was expected, where, and the command that repeats it. Throws
-/// InputError where a path leads to no scenario with a check, WorldError where an output cannot be written.
+/// InputError where a path leads to no scenario with a check, WorldError where an output cannot be written; Interrupted
+/// where it was asked to stop, once its runs have ended and what they came to is printed.
 CheckExit run_checks(const CheckOptions& options);
 
 }  // namespace waterlight

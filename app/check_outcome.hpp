@@ -7,8 +7,8 @@
 
 namespace waterlight {
 
-/// error: there is no value to judge, because a run failed.
-enum class Verdict { passed, failed, updated, skipped, error };
+/// error: there is no value to judge, because a run failed; stopped: because check itself was asked to stop.
+enum class Verdict { passed, failed, updated, skipped, error, stopped };
 
 /// One bound of one check.
 struct CheckOutcome {

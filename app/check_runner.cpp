@@ -11,6 +11,7 @@
 #include "app/floor_stage.hpp"
 #include "app/judge.hpp"
 #include "app/process.hpp"
+#include "app/signals.hpp"
 #include "scenarios/quantities.hpp"
 #include "sim/error.hpp"
 
@@ -29,10 +30,16 @@ struct RunWish {
     std::vector<std::string> overrides;
 };
 
+/// Why a check has no value.
+struct RunFailure {
+    std::string why;  ///< in one line; empty: it has not failed
+    std::string log;
+    Verdict verdict = Verdict::error;
+};
+
 struct RunResult {
-    Json report;          ///< null where the run failed
-    std::string failure;  ///< in one line; else empty
-    std::string log;      ///< of a run that failed
+    Json report;  ///< null where the run failed
+    RunFailure failure;
     double wall_s = 0;
     /// Of a check; NaN where the run has no value.
     double value_of(int check) const {
@@ -40,11 +47,6 @@ struct RunResult {
             if (row["check"] == check && row["value"].is_number()) return row["value"];
         return std::numeric_limits<double>::quiet_NaN();
     }
-};
-
-/// The run of a reference or of one resolution failed: the check has no value.
-struct RunFailed {
-    std::string failure, log;
 };
 
 std::string text_of(const fs::path& file) {
@@ -57,7 +59,18 @@ std::string last_line(std::string text) {
     return text.substr(text.rfind('\n') + 1);
 }
 
-RunResult run(const RunWish& wish, int threads) {
+RunFailure failure_of(const ChildResult& child, const std::string& log, const CheckOptions& options) {
+    const int signal = options.stop_signal ? options.stop_signal() : 0;
+    // From a terminal a signal reaches the run as well, which may then end first.
+    if (signal != 0) return {fmt::format("stopped by {}", signal_name(signal)), {}, Verdict::stopped};
+    if (child.end == ChildEnd::too_long)
+        return {fmt::format("stopped: the scenario takes longer than --timeout {}", options.timeout_s), log};
+    if (child.signal != 0) return {fmt::format("the run was ended by signal {}", child.signal), log};
+    return {fmt::format("the run ended with exit {}: {}", child.exit, last_line(log)), log};
+}
+
+/// `most_s` is the time that is left for it.
+RunResult run(const RunWish& wish, const CheckOptions& options, int threads, double most_s) {
     std::vector<std::string> arguments{"run",        wish.file.string(), "--quiet",
                                        "--out",      wish.out.string(),  "--backend",
                                        wish.backend, "--threads",        fmt::format("{}", threads)};
@@ -65,17 +78,14 @@ RunResult run(const RunWish& wish, int threads) {
     fs::create_directories(wish.out);
     const fs::path log = wish.out / "log.txt", report = wish.out / "report.json";
     fs::remove(report);
-    const ChildResult child = run_child(arguments, log);
+    const ChildResult child = run_child(arguments, log, {most_s, options.stop_signal});
     RunResult result;
     result.wall_s = child.wall_s;
     const bool is_done = child.exit == 0 || child.exit == 1;
     if (is_done) result.report = Json::parse(text_of(report), nullptr, false);
     if (is_done && result.report.is_object()) return result;
     result.report = nullptr;
-    result.log = text_of(log);
-    result.failure = child.signal != 0
-                         ? fmt::format("the run was ended by signal {}", child.signal)
-                         : fmt::format("the run ended with exit {}: {}", child.exit, last_line(result.log));
+    result.failure = failure_of(child, text_of(log), options);
     return result;
 }
 
@@ -148,9 +158,9 @@ class ItemRunner {
         try {
             work();
             return true;
-        } catch (const RunFailed& failed) {
-            add_without_value(i, Verdict::error, failed.failure);
-            outcome_.log += failed.log;
+        } catch (const RunFailure& failure) {
+            add_without_value(i, failure.verdict, failure.why);
+            outcome_.log += failure.log;
             return false;
         }
     }
@@ -162,7 +172,7 @@ class ItemRunner {
     }
 
     RunResult try_run(const RunWish& wish, int i) {
-        RunResult result = run(wish, threads_);
+        RunResult result = run(wish, options_, threads_, options_.timeout_s - outcome_.wall_s);
         outcome_.wall_s += result.wall_s;
         if (i >= 0) spent_[i] += result.wall_s;
         return result;
@@ -173,7 +183,7 @@ class ItemRunner {
     }
     RunResult needed_run(const RunWish& wish, int i) {
         RunResult result = try_run(wish, i);
-        if (!result.failure.empty()) throw RunFailed{result.failure, result.log};
+        if (!result.failure.why.empty()) throw result.failure;
         return result;
     }
 
@@ -241,10 +251,10 @@ class ItemRunner {
     void judge_main(const std::vector<int>& checks) {
         RunResult main = try_run(wish("run", main_overrides_), -1);
         for (const int i : checks) spent_[i] += main.wall_s / static_cast<double>(checks.size());
-        outcome_.log += main.log;
+        outcome_.log += main.failure.log;
         for (const int i : checks) {
-            if (!main.failure.empty())
-                add_without_value(i, Verdict::error, main.failure);
+            if (!main.failure.why.empty())
+                add_without_value(i, main.failure.verdict, main.failure.why);
             else if (check(i).agrees && !is_norm(i))
                 guarded(i, [&] { judge_agreement(i, main); });
             else

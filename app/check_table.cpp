@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/process.hpp"
 
@@ -11,7 +12,7 @@ namespace waterlight {
 namespace {
 
 const char* word_of(Verdict verdict) {
-    constexpr const char* words[] = {"passed", "FAILED", "updated", "skipped", "ERROR"};
+    constexpr const char* words[] = {"passed", "FAILED", "updated", "skipped", "ERROR", "stopped"};
     return words[static_cast<int>(verdict)];
 }
 
@@ -34,7 +35,7 @@ std::vector<Row> rows_of(const std::vector<CheckItem>& items, const std::vector<
 }
 
 std::string counts_text(const std::vector<CheckItem>& items, const std::vector<ItemOutcome>& outcomes) {
-    int count[5] = {}, all = 0, scenarios_skipped = 0, wrong = 0;
+    int count[6] = {}, all = 0, scenarios_skipped = 0, wrong = 0;
     for (std::size_t i = 0; i < items.size(); ++i) {
         wrong += items[i].wrong.empty() ? 0 : 1;
         scenarios_skipped += items[i].skipped.empty() ? 0 : 1;
@@ -52,6 +53,7 @@ std::string counts_text(const std::vector<CheckItem>& items, const std::vector<I
     add(count[2], "updated");
     add(count[3], "skipped");
     add(count[4], "without a value");
+    add(count[5], "stopped");
     add(scenarios_skipped, scenarios_skipped == 1 ? "scenario skipped" : "scenarios skipped");
     add(wrong, wrong == 1 ? "scenario wrong" : "scenarios wrong");
     return text;
@@ -74,6 +76,8 @@ std::string repeat_command(const CheckItem& item, const std::string& quantity, c
     }
     std::vector<std::string> words{options.program, "check", item.file.string(), "--filter", filter};
     if (options.backend != "auto") words.insert(words.end(), {"--backend", options.backend});
+    if (std::isfinite(options.timeout_s))
+        words.insert(words.end(), {"--timeout", fmt::format("{}", options.timeout_s)});
     for (const std::string& override : options.overrides) words.insert(words.end(), {"--set", override});
     return shell_text(words);
 }
@@ -99,8 +103,8 @@ std::string summary_text(const std::vector<CheckItem>& items, const std::vector<
         if (!items[i].wrong.empty()) text += fmt::format("\nWRONG {}\n", items[i].wrong);
         if (!items[i].skipped.empty()) skips += fmt::format("skipped {}: {}\n", items[i].name, items[i].skipped);
         for (const CheckOutcome& c : outcomes[i].checks) {
-            if (c.verdict == Verdict::skipped)
-                skips += fmt::format("skipped {}: {}\n", full_name(items[i], c.quantity), c.detail);
+            if (c.verdict == Verdict::skipped || c.verdict == Verdict::stopped)
+                skips += fmt::format("{} {}: {}\n", word_of(c.verdict), full_name(items[i], c.quantity), c.detail);
             if (c.verdict != Verdict::failed && c.verdict != Verdict::error) continue;
             text += fmt::format("\n{} {}\n  {}\n  repeat: {}\n", word_of(c.verdict), c.place, failure_text(c),
                                 repeat_command(items[i], c.quantity, options));

@@ -43,6 +43,11 @@ std::string escaped(std::string_view text) {
     return xml;
 }
 
+/// JUnit has no other word for what was not judged through no fault of its own.
+bool is_skipped(const CheckOutcome& outcome) {
+    return outcome.verdict == Verdict::skipped || outcome.verdict == Verdict::stopped;
+}
+
 struct Case {
     const CheckItem& item;
     const CheckOutcome& outcome;
@@ -52,8 +57,7 @@ struct Case {
     std::string body() const {
         const std::string message = escaped(failure_text(outcome));
         if (outcome.verdict == Verdict::passed || outcome.verdict == Verdict::updated) return {};
-        if (outcome.verdict == Verdict::skipped)
-            return fmt::format("      <skipped message=\"{}\"/>\n", escaped(outcome.detail));
+        if (is_skipped(outcome)) return fmt::format("      <skipped message=\"{}\"/>\n", escaped(outcome.detail));
         const char* kind = outcome.verdict == Verdict::error ? "error" : "failure";
         const std::string text = fmt::format("{}\n{}", outcome.place, repeat_command(item, outcome.quantity, options));
         return fmt::format("      <{} message=\"{}\" type=\"check\">{}</{}>\n", kind, message, escaped(text), kind);
@@ -86,7 +90,7 @@ struct Counts {
             ++tests;
             failures += check.verdict == Verdict::failed ? 1 : 0;
             errors += check.verdict == Verdict::error ? 1 : 0;
-            skipped += check.verdict == Verdict::skipped ? 1 : 0;
+            skipped += is_skipped(check) ? 1 : 0;
         }
     }
     std::string attributes(double wall_s) const {

@@ -5,7 +5,10 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <map>
 #include <new>
@@ -81,7 +84,9 @@ void add_check(CLI::App& program, Arguments& args) {
     CLI::App* check = program.add_subcommand("check", "Run scenarios as tests: those that state [[check]]");
     check->footer(
         "Example:\n  waterlight check scenarios --filter 'dam_break*/waves.*' --junit checks.xml\n\n"
-        "Exit: 0 all passed; 1 a check failed; 2 a scenario or the command line is wrong; 3 a run failed.");
+        "Exit: 0 all passed; 1 a check failed; 2 a scenario or the command line is wrong; 3 a run failed or took "
+        "longer "
+        "than --timeout; 130 or 143 stopped by SIGINT or SIGTERM.");
     check->add_option("path", args.check.paths, "Scenarios, and folders to search for them")
         ->required()
         ->type_name("PATH");
@@ -106,6 +111,9 @@ void add_check(CLI::App& program, Arguments& args) {
     check->add_option("--threads", args.threads, "Threads of the CPU, of all runs together; default all")
         ->check(CLI::Range(1, 4096))
         ->type_name("N");
+    check->add_option("--timeout", args.check.timeout_s, "Stop the runs of a scenario after so long; default never")
+        ->check(CLI::PositiveNumber.description(""))
+        ->type_name("SECONDS");
     check->add_flag("--quiet", args.check.quiet, "No progress");
 }
 
@@ -130,6 +138,8 @@ int execute(const CLI::App& program, Arguments& args) {
     }
     if (program.got_subcommand("check")) {
         args.check.threads = args.threads > 0 ? args.threads : omp_get_max_threads();
+        catch_stop_signals();
+        args.check.stop_signal = stop_signal;
         constexpr ExitCode exits[] = {done, check_failed, wrong_input, world_failed};
         return exits[static_cast<int>(run_checks(args.check))];
     }
@@ -170,7 +180,10 @@ int parse_and_execute(int argc, char** argv) {
         if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return program.exit(error);
         throw InputError(fmt::format("command line: {} (waterlight --help says what is allowed)", error.what()));
     }
-    return execute(program, args);
+    const int exit = execute(program, args);
+    if (std::fflush(stdout) != 0)
+        throw WorldError(fmt::format("cannot write to standard output: {}", std::strerror(errno)));
+    return exit;
 }
 
 /// Threads that wait should soon sleep: a run shares its cores with the thread that writes and with other programs, and
@@ -182,22 +195,26 @@ void let_waiting_threads_sleep(char** argv) {
     execv("/proc/self/exe", argv);
 }
 
+/// Where even that cannot be written the exit code remains.
+void say(const char* what, const char* more = "") { std::fprintf(stderr, "waterlight: %s%s\n", what, more); }
+
 }  // namespace
 
 int main(int argc, char** argv) {
     let_waiting_threads_sleep(argv);
+    outlive_file_limit();
     try {
         return parse_and_execute(argc, argv);
     } catch (const InputError& error) {
-        fmt::print(stderr, "waterlight: {}\n", error.what());
+        say(error.what());
         return wrong_input;
     } catch (const Interrupted& interrupted) {
-        fmt::print(stderr, "waterlight: stopped by {}\n", interrupted.text);
+        say("stopped by ", interrupted.text.c_str());
         return 128 + interrupted.signal;
     } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "waterlight: out of memory\n");
+        say("out of memory");
     } catch (const std::exception& error) {
-        fmt::print(stderr, "waterlight: {}\n", error.what());
+        say(error.what());
     }
     return world_failed;
 }

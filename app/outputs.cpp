@@ -108,6 +108,7 @@ Outputs::Outputs(const RunFolder& folder, const Scenario& scenario, double still
       floor_series_(folder_, "floor", settings_.compression),
       volume_series_(folder_, "volume", settings_.compression),
       walls_series_(folder_, "walls", settings_.compression),
+      camera_series_(folder_, "camera", settings_.compression),
       has_volume_(scenario.beams && scenario.beams->volume_cells),
       has_picture_(scenario.camera.has_value()),
       radiance_max_(scenario.camera ? scenario.camera->radiance_max : std::nullopt),
@@ -129,7 +130,7 @@ Outputs::Outputs(const RunFolder& folder, const Scenario& scenario, double still
 }
 
 void Outputs::exchange_state(StateArchive& state) {
-    for (VtiSeries* series : {&surface_series_, &floor_series_, &volume_series_, &walls_series_})
+    for (VtiSeries* series : {&surface_series_, &floor_series_, &volume_series_, &walls_series_, &camera_series_})
         series->exchange_state(state);
     state.value(frame_);
     state.value(elevation_range_);
@@ -241,6 +242,7 @@ void Outputs::write_fields(const FrameFiles& frame) {
                volume_frame({frame.surface.grid, frame.volume_depth_m, time_s}, frame.volume_cells,
                             frame.plane_irradiance, frame.scalar_irradiance));
     if (walls_) write_walls(frame);
+    if (has_picture_) add_to(camera_series_, "camera.pvd", picture_frame(time_s, frame.radiance));
 }
 
 void Outputs::add_to(VtiSeries& series, const char* name, const VtiFrame& frame) {
@@ -312,6 +314,7 @@ std::vector<std::string> Outputs::guide() const {
         add(folder_ / "surface.pvd", "surface in time: ParaView, or python3-vtk9");
         if (has_volume_) add(folder_ / "volume.pvd", "irradiance in the water in time: ParaView, or python3-vtk9");
         if (walls_) add(folder_ / "walls.pvd", "irradiance on the walls in time: ParaView, or python3-vtk9");
+        if (has_picture_) add(folder_ / "camera.pvd", "what the camera sees in time: ParaView, or python3-vtk9");
         if (plan_) add(folder_ / "floor.pvd", "floor irradiance in time: ParaView, or python3-vtk9");
     }
     if (settings_.wants("exr")) add(folder_ / "images" / "*.exr", "full precision: any OpenEXR viewer");

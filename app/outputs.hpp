@@ -128,6 +128,7 @@ class Outputs {
     VtiSeries floor_series_;
     VtiSeries volume_series_;
     VtiSeries walls_series_;
+    VtiSeries camera_series_;
     std::optional<WallSettings> walls_;
     bool has_volume_;
     bool has_picture_;

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <thread>
 
 #include "sim/error.hpp"
 
@@ -21,6 +22,11 @@ namespace {
 
 constexpr const char* this_program = "/proc/self/exe";
 constexpr int cannot_start = 127;
+constexpr double grace_s = 2;  // from SIGTERM to SIGKILL
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 [[noreturn]] void throw_failed(const char* what) {
     throw WorldError(fmt::format("cannot {} a run: {}", what, std::strerror(errno)));
@@ -34,23 +40,53 @@ constexpr int cannot_start = 127;
     _exit(cannot_start);
 }
 
+/// Whether and why a run must not go on.
+ChildEnd end_of(const ChildBounds& bounds, double wall_s) {
+    if (bounds.stop_signal && bounds.stop_signal() != 0) return ChildEnd::stopped;
+    return wall_s >= bounds.most_s ? ChildEnd::too_long : ChildEnd::by_itself;
+}
+
+/// Waits until the child has ended, and sees to it that it does; returns its status. Threads that wait are many and a
+/// signal wakes one of them, so each looks for itself.
+int wait_for(pid_t child, Clock::time_point start, const ChildBounds& bounds, ChildEnd& end) {
+    constexpr std::chrono::milliseconds between_looks{5};
+    double asked_s = 0;
+    bool is_killed = false;
+    for (int status = 0;;) {
+        const pid_t ended = waitpid(child, &status, WNOHANG);
+        if (ended == child) return status;
+        if (ended < 0 && errno != EINTR) throw_failed("wait for");
+        const double now_s = seconds_since(start);
+        if (end == ChildEnd::by_itself) {
+            end = end_of(bounds, now_s);
+            asked_s = now_s;
+            if (end != ChildEnd::by_itself) kill(child, SIGTERM);
+        } else if (!is_killed && now_s - asked_s > grace_s) {
+            kill(child, SIGKILL);
+            is_killed = true;
+        }
+        std::this_thread::sleep_for(between_looks);
+    }
+}
+
 }  // namespace
 
-ChildResult run_child(const std::vector<std::string>& arguments, const std::filesystem::path& log) {
+ChildResult run_child(const std::vector<std::string>& arguments, const std::filesystem::path& log,
+                      const ChildBounds& bounds) {
+    ChildResult result;
+    result.end = end_of(bounds, 0);
+    if (result.end != ChildEnd::by_itself) return result;
     std::vector<std::string> words{"waterlight"};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);
-    const auto start = std::chrono::steady_clock::now();
+    const Clock::time_point start = Clock::now();
     const pid_t child = fork();
     if (child < 0) throw_failed("start");
     if (child == 0) become(pointers.data(), log.c_str());
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0)
-        if (errno != EINTR) throw_failed("wait for");
-    ChildResult result;
-    result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const int status = wait_for(child, start, bounds, result.end);
+    result.wall_s = seconds_since(start);
     if (WIFEXITED(status)) result.exit = WEXITSTATUS(status);
     if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
     if (result.exit == cannot_start)

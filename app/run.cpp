@@ -213,7 +213,7 @@ class Run {
         outputs.settle();
         update_wall(outputs);
         nlohmann::ordered_json json = report_json(scenario_, backend_, completed(), {});
-        const char* name = signal == SIGINT ? "SIGINT" : "SIGTERM";
+        const char* name = signal_name(signal);
         json["interrupted"] = {{"signal", name}, {"time_s", time_s}};
         write_json(out_ / "report.json", json);
         throw Interrupted{signal, fmt::format("{} at t = {:.6g} s; run --resume goes on from {}", name, time_s,

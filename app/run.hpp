@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/floor_stage.hpp"
+#include "app/signals.hpp"
 
 namespace waterlight {
 
@@ -21,16 +22,10 @@ struct RunOptions {
     std::function<int()> stop_signal;
 };
 
-/// A run that was asked to stop has stopped: its frames are whole, its checkpoint and its report are written. Not a
-/// failure, and so no std::exception.
-struct Interrupted {
-    int signal = 0;
-    std::string text;  ///< when, and how to go on
-};
-
 /// Runs and writes everything. Returns whether all checks of the scenario passed. Throws InputError before anything is
 /// written, or where `resume` finds the checkpoint of another run; WorldError and gpu::Error at any time, naming the
-/// checkpoint to go on from once there are frames; Interrupted.
+/// checkpoint to go on from once there are frames; Interrupted once its frames are whole and its checkpoint and report
+/// are written.
 bool run_scenario(const RunOptions& options);
 
 }  // namespace waterlight

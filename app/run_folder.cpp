@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 /// Names that only a run of ours gives to files that stay.
 constexpr const char* our_names =
-    "(surface|floor|volume|walls)\\.pvd|(surface/surface|floor/floor|volume/volume|walls/"
+    "(surface|floor|volume|walls|camera)\\.pvd|(surface/surface|floor/floor|volume/volume|camera/camera|walls/"
     "(west|east|south|north))_[0-9]{6,}"
     "\\.vti|images/(elevation|irradiance|radiance|colour|wall_(west|east|south|north))(16)?_[0-9]{6,}\\.(png|exr)|"
     "(probes|ledger|runup)\\.csv|extremes\\.vti";
@@ -35,10 +35,9 @@ constexpr const char* our_other_names = "report\\.json|checkpoint\\.bin";
 template <class IsOurs>
 std::vector<fs::path> files_of(const fs::path& folder, IsOurs is_ours) {
     std::vector<fs::path> found;
-    for (const fs::path& sub :
-         {folder, folder / "surface", folder / "floor", folder / "volume", folder / "walls", folder / "images"}) {
+    for (const char* sub : {"", "surface", "floor", "volume", "walls", "camera", "images"}) {
         std::error_code ignored;
-        for (const fs::directory_entry& entry : fs::directory_iterator(sub, ignored))
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder / sub, ignored))
             if (is_ours(entry.path().lexically_relative(folder))) found.push_back(entry.path());
     }
     return found;

@@ -24,9 +24,12 @@ void catch_stop_signals() {
     action.sa_flags = SA_RESTART;
     ::sigaction(SIGINT, &action, nullptr);
     ::sigaction(SIGTERM, &action, nullptr);
-    std::signal(SIGXFSZ, SIG_IGN);
 }
 
 int stop_signal() { return received; }
+
+const char* signal_name(int signal) { return signal == SIGINT ? "SIGINT" : "SIGTERM"; }
+
+void outlive_file_limit() { std::signal(SIGXFSZ, SIG_IGN); }
 
 }  // namespace waterlight

@@ -5,14 +5,13 @@
 #include <system_error>
 
 #include "export/descriptor.hpp"
-#include "sim/error.hpp"
 
 namespace waterlight {
 
 namespace fs = std::filesystem;
 
 void throw_cannot_write(const fs::path& path, std::string_view reason) {
-    throw WorldError(fmt::format("cannot write {}: {}", path.string(), reason));
+    throw WriteError(fmt::format("cannot write {}: {}", path.string(), reason));
 }
 
 PendingFile::PendingFile(fs::path path)

@@ -80,4 +80,12 @@ VtiFrame volume_frame(const WaterBody& water, glm::ivec3 cells, const Field<floa
     return frame;
 }
 
+VtiFrame picture_frame(double time_s, const Field<float>& radiance) {
+    VtiFrame frame;
+    frame.cells = {radiance.nx(), radiance.ny(), 0};
+    frame.time_s = time_s;
+    frame.arrays.push_back({"radiance", {radiance.values()}});
+    return frame;
+}
+
 }  // namespace waterlight

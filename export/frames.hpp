@@ -37,4 +37,7 @@ VtiFrame extremes_frame(const Grid& grid, double time_s, const Field<float>& bed
 VtiFrame volume_frame(const WaterBody& water, glm::ivec3 cells, const Field<float>& plane_irradiance,
                       const Field<float>& scalar_irradiance);
 
+/// A camera's picture: "radiance" (W/(m2 sr)), each pixel a cell of width 1, from the lower left corner. Borrows it.
+VtiFrame picture_frame(double time_s, const Field<float>& radiance);
+
 }  // namespace waterlight

@@ -131,7 +131,7 @@ struct CheckOf {
                       "exact, or the path of a .vti, a .pvd or a .toml");
         if (!is_written(of->field))
             reject_at(".reference", fmt::format("a file of {}", of->field),
-                      "surface.elevation, surface.depth, floor.irradiance or a field of volume");
+                      "surface.elevation, surface.depth, floor.irradiance, camera.radiance or a field of volume");
         if (check.window_s) reject_at(".window_s", "it beside a file or a scenario", "at_s, or the end");
     }
 
@@ -173,7 +173,7 @@ struct CheckOf {
                       "tolerance, of relative_l2 or the like");
         if (is_norm && !is_written(of->field))
             reject_at(".agrees", fmt::format("it beside a norm of {}", of->field),
-                      "surface.elevation, surface.depth, floor.irradiance or a field of volume");
+                      "surface.elevation, surface.depth, floor.irradiance, camera.radiance or a field of volume");
         if (is_norm && check.window_s) reject_at(".window_s", "it beside a norm of a difference", "at_s, or the end");
         if (!is_of_both_backends())
             reject_at(".agrees", fmt::format("it beside \"{}\", which the CPU alone computes", check.quantity),

@@ -219,7 +219,7 @@ std::optional<FieldStatistic> field_statistic(std::string_view quantity) {
 
 bool is_written(std::string_view field) {
     return field == "surface.elevation" || field == "surface.depth" || field == "floor.irradiance" ||
-           field.starts_with("volume.");
+           field == "camera.radiance" || field.starts_with("volume.");
 }
 
 bool is_row_quantity(std::string_view quantity) { return is_named(quantity, ".elevation"); }

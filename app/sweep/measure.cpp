@@ -12,8 +12,8 @@
 #include "app/readings.hpp"
 #include "app/sweep/raster.hpp"
 #include "app/sweep/store.hpp"
+#include "export/atomic_file.hpp"
 #include "gpu/error.hpp"
-#include "sim/error.hpp"
 
 namespace waterlight {
 
@@ -131,6 +131,8 @@ SettingResult measure(const SweepOptions& options, const Comparison& comparison,
     try {
         run(options, comparison, setting, judge, result);
         result.errors = {waves.value(), light.value(), both.value()};
+    } catch (const WriteError&) {
+        throw;
     } catch (const std::bad_alloc&) {
         result.failed = "out of memory";
     } catch (const std::runtime_error& error) {

@@ -5,6 +5,7 @@
 
 #include "gpu/device.hpp"
 #include "tests/scenarios/program.hpp"
+#include "tests/support/child.hpp"
 
 namespace waterlight::test {
 namespace {
@@ -45,7 +46,7 @@ int count(const std::string& text, const std::string& part) {
 }
 
 /// Where a check stands that follows the scenario above.
-const std::string first_line_of_check = ":" + std::to_string(count(standing, "\n") + 1) + ":1";
+const std::string first_line_of_check = std::string(":").append(std::to_string(count(standing, "\n") + 1)).append(":1");
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -150,14 +151,16 @@ TEST_F(Check, FieldsAndPicturesOfBothBackendsAgree) {
                      std::string("agrees = { backend = \"vulkan\", relative_tolerance = ") + tolerance + " }");
     };
     const std::string scene = standing + water;
-    const std::string field = "volume.scalar_irradiance.relative_l2";
+    const std::string field = "volume.scalar_irradiance.relative_l2", picture = "camera.radiance.relative_l2";
     const std::string agreeing = agree("volume.plane_irradiance.max", "1e-4") + agree("camera.mean_radiance", "1e-2") +
-                                 check(field, "agrees = { backend = \"vulkan\", tolerance = 1e-4 }");
+                                 check(field, "agrees = { backend = \"vulkan\", tolerance = 1e-4 }") +
+                                 check(picture, "agrees = { backend = \"vulkan\", tolerance = 1e-2 }");
     const Outcome good = run({write("a.toml", scene + agreeing).string()});
     EXPECT_EQ(good.exit, 0) << good.output;
-    EXPECT_TRUE(has(good.output, "3 passed")) << good.output;
-    for (const std::string& unequal : {agree("camera.mean_radiance", "1e-15"),
-                                       check(field, "agrees = { backend = \"vulkan\", tolerance = 1e-15 }")}) {
+    EXPECT_TRUE(has(good.output, "4 passed")) << good.output;
+    for (const std::string& unequal :
+         {agree("camera.mean_radiance", "1e-15"), check(field, "agrees = { backend = \"vulkan\", tolerance = 1e-15 }"),
+          check(picture, "agrees = { backend = \"vulkan\", tolerance = 1e-15 }")}) {
         const Outcome bad = run({write("b.toml", scene + unequal).string()});
         EXPECT_EQ(bad.exit, 1) << bad.output;
         EXPECT_TRUE(has(bad.output, "1 failed")) << bad.output;
@@ -234,6 +237,64 @@ TEST_F(Check, ARunThatFailsLeavesItsChecksWithoutAValue) {
     EXPECT_EQ(outcome.exit, 3) << outcome.output;
     EXPECT_TRUE(has(outcome.output, "ERROR " + file.string())) << outcome.output;
     EXPECT_TRUE(has(outcome.output, "1 check of 1 scenario: 0 passed, 1 without a value")) << outcome.output;
+}
+
+/// One that is done at once and, after it in the order of names, one that takes minutes.
+class CheckOfALongRun : public Check {
+  protected:
+    CheckOfALongRun() {
+        write("a.toml", standing + holds);
+        write("b.toml", "[check_run]\nset = [\"waves.duration_s=1e4\"]\n" + standing + holds + fails);
+    }
+    bool has_begun(const std::string& out) const {
+        return wait_until([&] { return !read_file(path(out + "/b/run/.waterlight.lock")).empty(); });
+    }
+};
+
+class StoppedCheck : public CheckOfALongRun, public ::testing::WithParamInterface<int> {};
+
+TEST_P(StoppedCheck, EndsItsRunsAndSaysWhatIsDone) {
+    ChildLimits limits;
+    limits.environment = {"TMPDIR=" + path("tmp")};
+    fs::create_directories(path("tmp"));
+    Child child({"check", path("a.toml"), path("b.toml"), "--jobs", "1", "--junit", path("j.xml")}, path("log"),
+                limits);
+    const std::string own = "tmp/waterlight-check-" + std::to_string(child.process());
+    ASSERT_TRUE(has_begun(own)) << child.output();
+    child.kill(GetParam());
+    EXPECT_EQ(child.wait(), 128 + GetParam()) << child.output();
+    const std::string output = child.output(), name = GetParam() == SIGINT ? "SIGINT" : "SIGTERM";
+    EXPECT_TRUE(fs::is_empty(path("tmp"))) << output;
+    EXPECT_TRUE(has(output, "stopped b/waves.volume: stopped by " + name)) << output;
+    EXPECT_TRUE(has(output, "3 checks of 2 scenarios: 1 passed, 2 stopped")) << output;
+    EXPECT_TRUE(has(output, "waterlight: stopped by " + name + ": 2 of 3 checks were not judged")) << output;
+    const std::string junit = read_junit(path("j.xml"));
+    EXPECT_TRUE(has(junit, "case b | waves.volume = 2 | skipped stopped by " + name)) << junit;
+}
+
+INSTANTIATE_TEST_SUITE_P(By, StoppedCheck, ::testing::Values(SIGINT, SIGTERM),
+                         [](const auto& by) { return by.param == SIGINT ? "SIGINT" : "SIGTERM"; });
+
+TEST_F(CheckOfALongRun, IsStoppedAfterItsTimeout) {
+    const Outcome outcome = run({path("b.toml"), "--timeout", "1.5", "--junit", path("j.xml")});
+    EXPECT_EQ(outcome.exit, 3) << outcome.output;
+    const std::string says = "waves.volume: stopped: the scenario takes longer than --timeout 1.5";
+    EXPECT_EQ(count(outcome.output, says), 2) << outcome.output;
+    EXPECT_TRUE(has(outcome.output, "2 checks of 1 scenario: 0 passed, 2 without a value")) << outcome.output;
+    EXPECT_TRUE(has(read_junit(path("j.xml")), "case b | waves.volume = 2 | error " + says))
+        << read_junit(path("j.xml"));
+    EXPECT_EQ(run({path("a.toml"), "--timeout", "0"}).exit, 2);
+}
+
+/// Stopped in the midst of everything, by a signal it does not heed.
+TEST_F(CheckOfALongRun, IsKilledAfterItsTimeoutWhereItHangs) {
+    Child child({"check", path("b.toml"), "--timeout", "2", "--out", path("out")}, path("log"));
+    ASSERT_TRUE(has_begun("out")) << child.output();
+    const int run = std::stoi(read_file(path("out/b/run/.waterlight.lock")));
+    ::kill(run, SIGSTOP);
+    EXPECT_EQ(child.wait(), 3) << child.output();
+    EXPECT_TRUE(has(child.output(), "the scenario takes longer than --timeout 2")) << child.output();
+    EXPECT_EQ(::kill(run, 0), -1) << "it is gone";
 }
 
 TEST_F(Check, AFolderThatCannotBeMadeIsAFailureOfTheWorld) {

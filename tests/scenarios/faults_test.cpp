@@ -188,6 +188,11 @@ TEST_F(Faults, AFileThatMayNotGrowStopsTheRun) {
     }
 }
 
+TEST_F(Faults, WhatCannotBePrintedIsNotTakenForDone) {
+    Child child({"schema"}, "/dev/full");
+    EXPECT_EQ(child.wait(), 3);
+}
+
 TEST_F(Faults, MemoryThatWillNotDoIsForetoldWithTheFigure) {
     const Outcome huge = run_program(arguments(out_, {"--set", "domain.cells=[60000,60000]"}));
     EXPECT_EQ(huge.exit, 2);

@@ -128,6 +128,21 @@ TEST_F(Outputs, InColourEachWavelengthHasItsMapAndTheirSumIsTheMap) {
     EXPECT_LE(report()["ledger"]["worst_closure"].get<double>(), 1e-4);
 }
 
+TEST_F(Outputs, WhatACameraSeesIsWrittenAsNumbersToo) {
+    ASSERT_EQ(run({"--set", "water.scattering_per_m=0.1", "--set", "caustics.beams={grid=[16, 16]}", "--set",
+                   "camera={position_m=[0.1, 0.5, -0.3], target_m=[0.9, 0.5, -0.3], pixels=[24, 16]}"})
+                  .exit,
+              0);
+    const VtiField seen = read_vti(out_ / "camera/camera_000005.vti", "radiance");
+    ASSERT_EQ(glm::ivec2(seen.values.nx(), seen.values.ny()), glm::ivec2(24, 16));
+    double sum = 0;
+    for (const float radiance : seen.values.values()) sum += radiance;
+    const double mean = report()["quantities"]["camera.mean_radiance"];
+    EXPECT_GT(mean, 0);
+    EXPECT_NEAR(sum / (24 * 16), mean, 1e-6 * mean);
+    EXPECT_NE(read_file(out_ / "camera.pvd").find("camera/camera_000003.vti"), std::string::npos);
+}
+
 TEST_F(Outputs, WallsHaveTheirMapsInPlaceAndTheirAccount) {
     ASSERT_EQ(run({"--set", "caustics.walls={pixel_m=0.02}", "--set", "light.elevation_deg=40", "--set",
                    "check=[{quantity=\"walls.west\", above=50.0}, {quantity=\"walls.ledger_closure\", below=1e-6}]"})

@@ -153,6 +153,27 @@ TEST_F(Sweep, PartsAndJobsMakeTheSameWhole) {
     for (const auto& [name, time] : before) EXPECT_EQ(after.at(name), time) << name;
 }
 
+/// As of a disk that is full: what is missing is done by the same command later, and nothing is taken for a result.
+TEST_F(Sweep, AFileThatMayNotGrowStopsIt) {
+    const auto expect_stopped = [&](const Words& more, const std::string& limit) {
+        const Outcome stopped = run_program(arguments(more), limit);
+        EXPECT_EQ(stopped.exit, 3) << stopped.output;
+        EXPECT_NE(stopped.output.find("cannot write " + out_.string()), std::string::npos) << stopped.output;
+        EXPECT_EQ(std::count(stopped.output.begin(), stopped.output.end(), '\n'), 1) << stopped.output;
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(out_))
+            EXPECT_FALSE(entry.path().filename().string().starts_with(".")) << entry.path() << " is half written";
+    };
+    expect_stopped({"--quiet"}, "ulimit -f 0; ");
+    EXPECT_EQ(files_of(out_).size(), 0U);
+    ASSERT_EQ(sweep({"--max-runs", "1", "--quiet"}).exit, 0);
+    fs::remove_all(out_ / "truth");
+    expect_stopped({"--quiet"},
+                   "ulimit -f 16; ");  // results of settings fit, the light they are judged against does not
+    EXPECT_EQ(results_in(out_), 1U);
+    EXPECT_EQ(sweep({"--quiet", "--max-runs", "2"}).exit, 0);
+    EXPECT_EQ(results_in(out_), 3U);
+}
+
 TEST_F(Sweep, KilledItsJobsEndToo) {
     const pid_t child = start({"--jobs", "2"});
     while (results_in(out_) < 2 && waitpid(child, nullptr, WNOHANG) == 0)
