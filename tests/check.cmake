@@ -5,3 +5,7 @@ target_compile_definitions(check_test PRIVATE
     WATERLIGHT_PROGRAM="$<TARGET_FILE:waterlight>"
     WATERLIGHT_SOURCE="${PROJECT_SOURCE_DIR}")
 add_dependencies(check_test waterlight)
+# What the closed forms say, in numbers; and the mutations that these must notice still fit the source.
+add_test(NAME scenario_laws COMMAND waterlight check ${PROJECT_SOURCE_DIR}/scenarios/laws --quiet)
+add_test(NAME mutants_fit COMMAND /usr/bin/python3 ${CMAKE_CURRENT_LIST_DIR}/scenarios/mutants.py ${PROJECT_SOURCE_DIR} --list)
+set_tests_properties(scenario_laws PROPERTIES TIMEOUT 600)
