@@ -163,7 +163,7 @@ TEST_F(Sweep, AFileThatMayNotGrowStopsIt) {
         for (const fs::directory_entry& entry : fs::recursive_directory_iterator(out_))
             EXPECT_FALSE(entry.path().filename().string().starts_with(".")) << entry.path() << " is half written";
     };
-    expect_stopped({"--quiet"}, "ulimit -f 0; ");
+    expect_stopped({"--quiet"}, "ulimit -f 4; ");
     EXPECT_EQ(files_of(out_).size(), 0U);
     ASSERT_EQ(sweep({"--max-runs", "1", "--quiet"}).exit, 0);
     fs::remove_all(out_ / "truth");
