@@ -63,7 +63,7 @@ vk::ImageMemoryBarrier2 between(vk::ImageMemoryBarrier2 barrier, Layout from, La
 }  // namespace
 
 struct Presenter::Impl {
-    struct Image {
+    struct ChainImage {
         vk::Image handle;
         vk::raii::ImageView view{nullptr};
         vk::raii::Semaphore drawn{nullptr};  // the window system waits for it before it shows the image
@@ -76,7 +76,7 @@ struct Presenter::Impl {
     vk::Extent2D asked, size;  // of the window when the chain was made, and of its images
     bool stale = true;         // the chain no longer fits the window
     vk::raii::SwapchainKHR chain{nullptr};
-    std::vector<Image> images;
+    std::vector<ChainImage> images;
     vk::raii::Semaphore acquired{nullptr};
     vk::raii::Fence done{nullptr};
     vk::raii::CommandBuffer list{nullptr};
@@ -92,10 +92,10 @@ struct Presenter::Impl {
     bool make_chain(vk::Extent2D wanted);
     void make_images();
     bool show(const Target& picture, vk::Extent2D wanted);
-    void record(const Target& picture, const Image& image);
-    void copy_picture(const Target& picture, const Image& image) const;
-    void draw_interface(const Image& image);
-    void submit(const Image& image);
+    void record(const Target& picture, const ChainImage& image);
+    void copy_picture(const Target& picture, const ChainImage& image) const;
+    void draw_interface(const ChainImage& image);
+    void submit(const ChainImage& image);
     void hand_over(std::uint32_t index);
 };
 
@@ -176,7 +176,7 @@ bool Presenter::Impl::show(const Target& picture, vk::Extent2D wanted) {
     return true;
 }
 
-void Presenter::Impl::record(const Target& picture, const Image& image) {
+void Presenter::Impl::record(const Target& picture, const ChainImage& image) {
     list.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
     copy_picture(picture, image);
     draw_interface(image);
@@ -184,9 +184,9 @@ void Presenter::Impl::record(const Target& picture, const Image& image) {
 }
 
 // Pictures have their lowest row first, windows their highest.
-void Presenter::Impl::copy_picture(const Target& picture, const Image& image) const {
+void Presenter::Impl::copy_picture(const Target& picture, const ChainImage& image) const {
     const Target::Impl& source = picture.impl();
-    relayout(list, *source.image,
+    relayout(list, *source.pixels.handle,
              between(change(Stage::eAllCommands, Access::eMemoryWrite, Stage::eBlit, Access::eTransferRead),
                      Layout::eColorAttachmentOptimal, Layout::eTransferSrcOptimal));
     relayout(list, image.handle,
@@ -199,14 +199,14 @@ void Presenter::Impl::copy_picture(const Target& picture, const Image& image) co
     const vk::ImageBlit upright(colour, {corner(0, source.height, 0), corner(source.width, 0, 1)}, colour,
                                 {corner(0, 0, 0), corner(size.width, size.height, 1)});
     const bool same = source.width == size.width && source.height == size.height;
-    list.blitImage(*source.image, Layout::eTransferSrcOptimal, image.handle, Layout::eTransferDstOptimal, upright,
+    list.blitImage(*source.pixels.handle, Layout::eTransferSrcOptimal, image.handle, Layout::eTransferDstOptimal, upright,
                    same ? vk::Filter::eNearest : vk::Filter::eLinear);
-    relayout(list, *source.image,
+    relayout(list, *source.pixels.handle,
              between(change(Stage::eBlit, {}, Stage::eAllCommands, Access::eMemoryRead | Access::eMemoryWrite),
                      Layout::eTransferSrcOptimal, Layout::eColorAttachmentOptimal));
 }
 
-void Presenter::Impl::draw_interface(const Image& image) {
+void Presenter::Impl::draw_interface(const ChainImage& image) {
     relayout(list, image.handle,
              between(change(Stage::eBlit, Access::eTransferWrite, Stage::eColorAttachmentOutput,
                             Access::eColorAttachmentRead | Access::eColorAttachmentWrite),
@@ -222,7 +222,7 @@ void Presenter::Impl::draw_interface(const Image& image) {
                 Layout::eColorAttachmentOptimal, Layout::ePresentSrcKHR));
 }
 
-void Presenter::Impl::submit(const Image& image) {
+void Presenter::Impl::submit(const ChainImage& image) {
     const Context::Impl& c = context->impl();
     const vk::SemaphoreSubmitInfo wait(*acquired, 0, Stage::eBlit);
     const vk::SemaphoreSubmitInfo signal(*image.drawn, 0, Stage::eAllCommands);
