@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <glm/common.hpp>
 #include <utility>
 
 #include "sim/error.hpp"

@@ -2,3 +2,9 @@
 waterlight_test(window_parts_test
     SOURCES unit/orbit_camera_test.cpp unit/pick_test.cpp
     LIBRARIES waterlight_window)
+
+# On a virtual screen, where Xvfb is installed.
+waterlight_test(presenter_test
+    SOURCES unit/presenter_test.cpp
+    LIBRARIES waterlight_window glfw)
+waterlight_shaders(presenter_test unit/shaders/gpu_layers.vert unit/shaders/gpu_colour.frag)

@@ -50,9 +50,7 @@ TEST(PickWater, FindsATiltedPlaneInClosedForm) {
                 ++(exists ? hits : misses);
             });
             EXPECT_GT(hits, 20);
-            if (&camera != &straight_down) {
-                EXPECT_GT(hits + misses, hits) << "no pixel looks past the water";
-            }
+            EXPECT_GT(misses, 0);
         }
     }
 }
