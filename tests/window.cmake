@@ -8,3 +8,5 @@ waterlight_test(presenter_test
     SOURCES unit/presenter_test.cpp
     LIBRARIES waterlight_window glfw)
 waterlight_shaders(presenter_test unit/shaders/gpu_layers.vert unit/shaders/gpu_colour.frag)
+target_compile_definitions(presenter_test PRIVATE WATERLIGHT_LAYERS="${CMAKE_CURRENT_BINARY_DIR}/layers")
+add_dependencies(presenter_test lost_device_layer)

@@ -167,6 +167,29 @@ TEST_F(PresenterTest, DrawsNothingInAWindowWithoutArea) {
     EXPECT_TRUE(becomes(squares, {5, 47 - 5}, red));
 }
 
+// By a layer that loses the surface at the fourth picture.
+TEST_F(PresenterTest, MakesALostSurfaceAnew) {
+    presenter.reset();
+    ::setenv("VK_ADD_LAYER_PATH", WATERLIGHT_LAYERS, 1);
+    ::setenv("VK_INSTANCE_LAYERS", "VK_LAYER_WATERLIGHT_lost_device", 1);
+    ::setenv("WATERLIGHT_SURFACE_LOST_AT", "4", 1);
+    open({.validation = true, .window_system = window->system()});
+    for (const char* name : {"VK_ADD_LAYER_PATH", "VK_INSTANCE_LAYERS"}) ::unsetenv(name);
+    int made = 0;
+    const auto counted = [&](VkInstance_T* instance) {
+        ++made;
+        return window->surface()(instance);
+    };
+    presenter.emplace(context, counted, atlas);
+    const gpu::Target squares = picture(64, 48);
+    std::string shown;
+    for (int n = 0; n < 6; ++n) shown += present(squares) ? '1' : '0';
+    ::unsetenv("WATERLIGHT_SURFACE_LOST_AT");
+    EXPECT_EQ(shown, "111011");
+    EXPECT_EQ(made, 2);
+    EXPECT_TRUE(becomes(squares, {5, 47 - 5}, red));
+}
+
 TEST_F(PresenterTest, RefusesADeviceThatCannotShow) {
     gpu::WindowSystem blind = window->system();
     blind.presents = [](VkInstance_T*, VkPhysicalDevice_T*, std::uint32_t) { return false; };
