@@ -48,6 +48,8 @@ class Airy final : public AiryModel {
 
     std::string_view name() const override { return "airy"; }
     void advance(double frame_s) override;
+    void disturb(std::span<const Disturbance> disturbances) override;
+    void set_rain(std::span<const Rain> rain) override { replace_rain(settings_.sources, rain); }
     const Surface& surface() override;
     WaveDiagnostics diagnostics() override;
     std::int64_t steps() const override { return steps_; }
@@ -135,6 +137,12 @@ void Airy::advance(double frame_s) {
         if (damping_x_ || damping_y_) damp(step_s);
         ++steps_;
     }
+    surface_is_present_ = false;
+}
+
+void Airy::disturb(std::span<const Disturbance> disturbances) {
+    for (const Disturbance& d : disturbances) waterlight::require_valid(d);
+    add_disturbances(modes_, disturbances, time_s_, state_);
     surface_is_present_ = false;
 }
 

@@ -31,32 +31,46 @@ std::vector<double> squared_wave_numbers(const AxisBasis& axis) {
     return k2;
 }
 
-/// A drop as the modes see it.
-struct DropModes {
-    DropModes(const Drop& drop, const AiryModes& modes, double start_s)
-        : x(point_coefficients(modes.x, drop.at_m.x)),
-          y(point_coefficients(modes.y, drop.at_m.y)),
-          q_per_k2(0.25 * drop.radius_m * drop.radius_m),
-          volume_scale(drop.height_m * pi * drop.radius_m * drop.radius_m),
-          elapsed_s(drop.time_s - start_s) {}
+/// A drop or a push as the modes see it.
+struct SpotModes {
+    SpotModes(const Drop& drop, const AiryModes& modes, double elapsed)
+        : SpotModes(drop.at_m, drop.radius_m, modes, elapsed) {
+        volume_scale = drop.height_m * pi * drop.radius_m * drop.radius_m;
+    }
+    SpotModes(const Push& push, const AiryModes& modes, double elapsed)
+        : SpotModes(push.at_m, push.radius_m, modes, elapsed) {
+        volume_scale = push.volume_m3;
+        is_push = true;
+    }
 
     std::vector<double> x, y;
-    double q_per_k2, volume_scale, elapsed_s;
+    double q_per_k2, elapsed_s;
+    double volume_scale = 0;
+    bool is_push = false;
+
+  private:
+    SpotModes(glm::dvec2 at_m, double radius_m, const AiryModes& modes, double elapsed)
+        : x(point_coefficients(modes.x, at_m.x)),
+          y(point_coefficients(modes.y, at_m.y)),
+          q_per_k2(0.25 * radius_m * radius_m),
+          elapsed_s(elapsed) {}
 };
 
 /// Where q exp(-q) has fallen below 1e-13 of its largest value.
 constexpr double q_negligible = 34;
 
-/// cos(w t) and sin(w t), t the time of the drop, times its transform, for one row of distinct modes.
-void drop_row(const DropModes& drop, const double* omega, std::span<const double> kx2, double ky2, float* c, float* s) {
+/// cos(w t) and sin(w t), t the time of the spot, times its transform, for one row of distinct modes.
+template <class Transform>
+void spot_row(const SpotModes& spot, const double* omega, std::span<const double> kx2, double ky2, float* c, float* s,
+              Transform transform) {
     const int count = static_cast<int>(kx2.size());
-    phase_row(omega, count, drop.elapsed_s, c, s);
-    const auto q_y = static_cast<float>(drop.q_per_k2 * ky2);
-    const auto scale = static_cast<float>(drop.volume_scale), q_per_k2 = static_cast<float>(drop.q_per_k2);
+    phase_row(omega, count, spot.elapsed_s, c, s);
+    const auto q_y = static_cast<float>(spot.q_per_k2 * ky2);
+    const auto scale = static_cast<float>(spot.volume_scale), q_per_k2 = static_cast<float>(spot.q_per_k2);
     const double* k2 = kx2.data();
 #pragma GCC ivdep
     for (int i = 0; i < count; ++i) {
-        const float amplitude = scale * f32::drop_transform(q_y + q_per_k2 * static_cast<float>(k2[i]));
+        const float amplitude = scale * transform(q_y + q_per_k2 * static_cast<float>(k2[i]));
         c[i] *= amplitude;
         s[i] *= amplitude;
     }
@@ -74,11 +88,9 @@ void add_row(int n, double weight, const double* __restrict x, const float* __re
 /// sin(x) / x
 double sinc(double x) { return std::abs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x; }
 
-}  // namespace
-
-void add_drops(const AiryModes& modes, std::span<const Drop> drops, AiryState& state) {
-    std::vector<DropModes> falling;
-    for (const Drop& drop : drops) falling.emplace_back(drop, modes, state.start_s);
+/// The constant mode, whose transform a push has, takes none.
+void add_spots(const AiryModes& modes, std::span<const SpotModes> spots, AiryState& state) {
+    const double level = state.a.row(0)[0];
     const std::vector<double> kx2 = squared_wave_numbers(modes.x), ky2 = squared_wave_numbers(modes.y);
 #pragma omp parallel
     {
@@ -86,21 +98,42 @@ void add_drops(const AiryModes& modes, std::span<const Drop> drops, AiryState& s
         float *c = phase.row(0), *s = phase.row(1);
 #pragma omp for schedule(static)
         for (int wave = 0; wave < modes.y.distinct(); ++wave) {
-            for (const DropModes& drop : falling) {
+            for (const SpotModes& spot : spots) {
                 const double row_k2 = ky2[static_cast<std::size_t>(wave)];
-                if (drop.q_per_k2 * row_k2 > q_negligible) continue;
-                drop_row(drop, modes.omega.row(wave), kx2, row_k2, c, s);
+                if (spot.q_per_k2 * row_k2 > q_negligible) continue;
+                const double* omega = modes.omega.row(wave);
+                if (spot.is_push)
+                    spot_row(spot, omega, kx2, row_k2, c, s, [](float q) { return f32::push_transform(q); });
+                else
+                    spot_row(spot, omega, kx2, row_k2, c, s, [](float q) { return f32::drop_transform(q); });
                 spread_to_slots(modes.x, c);
                 spread_to_slots(modes.x, s);
                 const int partner = modes.y.partner_of(wave);
                 for (int j = wave;; j = partner) {
-                    add_row(modes.x.n, drop.y[static_cast<std::size_t>(j)], drop.x.data(), c, s, state.a.row(j),
+                    add_row(modes.x.n, spot.y[static_cast<std::size_t>(j)], spot.x.data(), c, s, state.a.row(j),
                             state.b.row(j));
                     if (j == partner) break;
                 }
             }
         }
     }
+    state.a.row(0)[0] = level;
+}
+
+}  // namespace
+
+void add_drops(const AiryModes& modes, std::span<const Drop> drops, AiryState& state) {
+    std::vector<SpotModes> spots;
+    for (const Drop& drop : drops) spots.emplace_back(drop, modes, drop.time_s - state.start_s);
+    add_spots(modes, spots, state);
+}
+
+void add_disturbances(const AiryModes& modes, std::span<const Disturbance> disturbances, double time_s,
+                      AiryState& state) {
+    std::vector<SpotModes> spots;
+    for (const Disturbance& d : disturbances)
+        std::visit([&](const auto& spot) { spots.emplace_back(spot, modes, time_s - state.start_s); }, d);
+    add_spots(modes, spots, state);
 }
 
 ForcedModes::ForcedModes(const Wavemaker& maker, const Grid& grid, const AiryModes& modes, PlaneTransform& transform)

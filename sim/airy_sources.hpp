@@ -10,12 +10,16 @@
 #include <vector>
 
 #include "sim/airy_modes.hpp"
-#include "sim/sources.hpp"
+#include "sim/disturbance.hpp"
 
 namespace waterlight {
 
 /// Each drop by its analytic transform; walls mirror it and periodic sides repeat it, by the modes themselves.
 void add_drops(const AiryModes& modes, std::span<const Drop> drops, AiryState& state);
+
+/// The same of what disturbs the water at time_s, which stands for the drops' own.
+void add_disturbances(const AiryModes& modes, std::span<const Disturbance> disturbances, double time_s,
+                      AiryState& state);
 
 /// A wavemaker's modes and their forced motion.
 class ForcedModes {

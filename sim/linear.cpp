@@ -62,6 +62,8 @@ class Leapfrog final : public LinearModel<Real> {
 
     std::string_view name() const override { return "linear"; }
     void advance(double frame_s) override;
+    void disturb(std::span<const Disturbance> disturbances) override;
+    void set_rain(std::span<const Rain> rain) override { replace_rain(settings_.sources, rain); }
     const Surface& surface() override;
     WaveDiagnostics diagnostics() override;
     std::int64_t steps() const override { return steps_; }
@@ -70,16 +72,16 @@ class Leapfrog final : public LinearModel<Real> {
     void exchange_state(StateArchive& state) override;
 
   private:
-    // A drop and the step before which it falls.
+    // What disturbs the water, and the step before which it does.
     struct Fall {
         std::int64_t step;
-        Drop drop;
+        Disturbance what;
     };
 
     double time_of(std::int64_t step) const { return static_cast<double>(step) * dt_; }
     double step_for(double frame_s) const;
     std::vector<Fall> falls_until(std::int64_t last) const;
-    void let_fall(const Drop& drop);
+    void let_fall(const Disturbance& what);
     LinearDecay<Real> decay_over(double duration_s) const;
     LinearStep<Real> step_of(double duration_s, const LinearDecay<Real>& decay) const;
     double kick_duration(double step_s) const { return 0.5 * (step_s + (steps_ == 0 ? 0 : dt_)); }
@@ -101,7 +103,8 @@ class Leapfrog final : public LinearModel<Real> {
     double dt_;
     std::int64_t steps_ = 0;
     double time_s_ = 0;
-    bool between_ = false;  // the frame ended between two steps, with part_elevation_
+    std::vector<Fall> waiting_;  // for the next step, since the frame ended between two
+    bool between_ = false;       // the frame ended between two steps, with part_elevation_
     PaddedRows<Real> part_elevation_;
     PaddedRows<Real> part_rate_;
     Surface surface_;
@@ -156,13 +159,13 @@ void Leapfrog<Real>::advance(double frame_s) {
     surface_is_new_ = false;
 }
 
-// The drops from now until step `last`, each at the first step at or after its time. What is added to the elevation at
-// a step acts as if it had come half a step before, so that drops are in time on average.
+// What waits, and the drops from now until step `last`, each at the first step at or after its time. What is added to
+// the elevation at a step acts as if it had come half a step before, so that drops are in time on average.
 template <class Real>
 std::vector<typename Leapfrog<Real>::Fall> Leapfrog<Real>::falls_until(std::int64_t last) const {
     const double begin = time_of(steps_);
     const double end = time_of(last);
-    std::vector<Fall> found;
+    std::vector<Fall> found = waiting_;
     const auto add = [&](const Drop& drop) {
         const auto step = static_cast<std::int64_t>(std::ceil(drop.time_s / dt_ - 1e-9));
         found.push_back({std::clamp(step, steps_, last), drop});
@@ -179,8 +182,8 @@ std::vector<typename Leapfrog<Real>::Fall> Leapfrog<Real>::falls_until(std::int6
 }
 
 template <class Real>
-void Leapfrog<Real>::let_fall(const Drop& drop) {
-    const DropPatch patch = drop_patch(drop, grid_, settings_.boundary);
+void Leapfrog<Real>::let_fall(const Disturbance& what) {
+    const DropPatch patch = patch_of(what, grid_, settings_.boundary);
     for (int j = 0; j < patch.elevation_m.ny(); ++j) {
         Real* eta = elevation_.row(patch.j0 + j);
         const double* gain = patch.elevation_m.row(j);
@@ -189,6 +192,18 @@ void Leapfrog<Real>::let_fall(const Drop& drop) {
         }
         set_ghosts(eta, grid_.nx, settings_.boundary.x);
     }
+}
+
+template <class Real>
+void Leapfrog<Real>::disturb(std::span<const Disturbance> disturbances) {
+    for (const Disturbance& d : disturbances) require_valid(d);
+    for (const Disturbance& d : disturbances) {
+        if (between_)
+            waiting_.push_back({steps_ + 1, d});
+        else
+            let_fall(d);
+    }
+    surface_is_new_ = false;
 }
 
 template <class Real>
@@ -220,10 +235,11 @@ void Leapfrog<Real>::take_steps(std::int64_t last) {
     const LinearDecay<Real> first_decay = decay_over(kick_duration(dt_));
     const LinearDecay<Real> decay = decay_over(dt_);
     const std::vector<Fall> falls = falls_until(last);
+    waiting_.clear();
     auto next = falls.begin();
     std::vector<LinearStep<Real>> pass;
     while (true) {
-        for (; next != falls.end() && next->step == steps_; ++next) let_fall(next->drop);
+        for (; next != falls.end() && next->step == steps_; ++next) let_fall(next->what);
         if (steps_ == last) return;
         // As many steps as one pass holds, until the next drop.
         const std::int64_t stop = next == falls.end() ? last : next->step;
@@ -303,6 +319,7 @@ void Leapfrog<Real>::exchange_state(StateArchive& state) {
     state.value(steps_);
     state.value(time_s_);
     state.value(between_);
+    state.list(waiting_);
     state.values(elevation_.values());
     state.values(rate_.values());
     if (!state.restores()) return;

@@ -28,6 +28,10 @@ class Prescribed : public PrescribedModel {
         ++steps_;
         surface_is_new_ = false;
     }
+    void disturb(std::span<const Disturbance>) override { refuse_disturbance(); }
+    void set_rain(std::span<const Rain> rain) override {
+        if (!rain.empty()) refuse_disturbance();
+    }
     const Surface& surface() override {
         if (!surface_is_new_) {
             surface_.time_s = time_s_;
@@ -45,6 +49,7 @@ class Prescribed : public PrescribedModel {
     }
 
   private:
+    [[noreturn]] static void refuse_disturbance() { throw InputError("a prescribed surface cannot be disturbed"); }
     // Sets elevation and slopes at surface.time_s.
     virtual void set_surface(Surface& surface) = 0;
 

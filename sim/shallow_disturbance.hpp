@@ -14,6 +14,7 @@ class ShallowSources {
 
     /// What happens in (from_s, to_s], or at 0 where both are 0: patches for disturb(), in order.
     std::vector<DropPatch> between(double from_s, double to_s) const;
+    void set_rain(std::span<const Rain> rain) { replace_rain(sources_, rain); }
 
   private:
     struct Maker {

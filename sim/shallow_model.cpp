@@ -63,8 +63,18 @@ double ShallowModel<Real>::next_step(double remaining_s) const {
 template <class Real>
 bool ShallowModel<Real>::disturb_since(double from_s) {
     const std::vector<DropPatch> patches = sources_.between(from_s, time_s_);
-    for (const DropPatch& patch : patches) disturb(patch, solver_->start(), solver_->fields());
+    for (const DropPatch& patch : patches) waterlight::disturb(patch, solver_->start(), solver_->fields());
     return !patches.empty();
+}
+
+template <class Real>
+void ShallowModel<Real>::disturb(std::span<const Disturbance> disturbances) {
+    for (const Disturbance& d : disturbances) require_valid(d);
+    for (const Disturbance& d : disturbances)
+        waterlight::disturb(patch_of(d, grid_, surface_.boundary), solver_->start(), solver_->fields());
+    peak_ = solver_->look(time_s_);
+    if (keep_records_) solver_->record(time_s_);
+    surface_is_new_ = false;
 }
 
 template <class Real>

@@ -19,6 +19,8 @@ class ShallowModel final : public ShallowWaterModel {
 
     std::string_view name() const override { return "shallow-water"; }
     void advance(double frame_s) override;
+    void disturb(std::span<const Disturbance> disturbances) override;
+    void set_rain(std::span<const Rain> rain) override { sources_.set_rain(rain); }
     const Surface& surface() override;
     WaveDiagnostics diagnostics() override { return shallow_diagnostics(surface(), totals()); }
     std::int64_t steps() const override { return steps_; }

@@ -8,12 +8,12 @@ namespace waterlight {
 
 namespace {
 
-struct Disturbance {
+struct Departure {
     double elevation_m = 0;
     glm::dvec2 velocity_m_s{0, 0};
 };
 
-Disturbance disturbance(const Sine& sine, glm::dvec2 at, double depth, double g) {
+Departure departure(const Sine& sine, glm::dvec2 at, double depth, double g) {
     const double elevation = std::max(evaluate(sine, 0, at, 0).elevation_m, -depth);
     const double speed = 2 * (std::sqrt(g * (depth + elevation)) - std::sqrt(g * depth));
     return {elevation, speed * glm::normalize(wave_vector(sine))};
@@ -29,9 +29,9 @@ void add_waves(const std::vector<Sine>& sines, const std::vector<StandingWave>& 
             const double depth = settings.depth_m(i, j);
             if (depth <= 0) continue;
             const glm::dvec2 at{grid.x_m(i), grid.y_m(j)};
-            Disturbance sum;
+            Departure sum;
             for (const Sine& sine : sines) {
-                const Disturbance one = disturbance(sine, at, depth, settings.water.gravity_m_s2);
+                const Departure one = departure(sine, at, depth, settings.water.gravity_m_s2);
                 sum.elevation_m += one.elevation_m;
                 sum.velocity_m_s += one.velocity_m_s;
             }

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <numbers>
 
 #include "sim/error.hpp"
 #include "sim/kernels/sources.hpp"
 #include "sim/random.hpp"
+#include "sim/round_spot.hpp"
 
 namespace waterlight {
 
@@ -38,55 +38,6 @@ void check(const Wavemaker& maker) {
     require(maker.ramp_periods >= 0, "wavemaker: ramp_periods must be 0 or more");
 }
 
-// The samples of one image of a drop along one axis: its centre and the cells it reaches.
-struct Image {
-    double at = 0;
-    int from = 0;
-    int to = 0;  // one past the last
-};
-
-struct Axis {
-    double start = 0;
-    double cell = 1;
-    int count = 1;
-    Side side = Side::periodic;
-};
-
-// A drop's centre and its mirror or periodic images, as far as they reach into the domain.
-std::vector<Image> images(double at, double reach, const Axis& axis) {
-    const double size = axis.cell * axis.count;
-    std::vector<Image> found;
-    const auto bound = [&](double x) {
-        const double cell = std::ceil((x - axis.start) / axis.cell - 0.5);
-        return static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(axis.count)));
-    };
-    const auto add = [&](double x) {
-        const Image image{x, bound(x - reach), bound(x + reach)};
-        if (image.from < image.to) found.push_back(image);
-    };
-    if (axis.side == Side::absorbing) {
-        add(at);
-        return found;
-    }
-    const int turns = static_cast<int>(std::ceil(reach / size)) + 1;
-    const double period = axis.side == Side::wall ? 2 * size : size;
-    for (int n = -turns; n <= turns; ++n) {
-        add(at + n * period);
-        if (axis.side == Side::wall) add(2 * axis.start - at + n * period);
-    }
-    return found;
-}
-
-// The cells that any of the images reaches.
-Image hull(const std::vector<Image>& images) {
-    Image all{0, std::numeric_limits<int>::max(), 0};
-    for (const Image& image : images) {
-        all.from = std::min(all.from, image.from);
-        all.to = std::max(all.to, image.to);
-    }
-    return all;
-}
-
 // Samples of a shape without volume and of its footprint.
 struct Sampled {
     Field<double> value;
@@ -107,13 +58,18 @@ Field<double> without_volume(Sampled shape) {
     return std::move(shape.value);
 }
 
-// exp(-q) and what multiplies it are below double rounding beyond q = 40.
-constexpr double drop_reach_in_radii = 6.33;
-
 }  // namespace
 
 void require_valid(const Source& source) {
     std::visit([](const auto& s) { check(s); }, source);
+}
+
+void replace_rain(std::vector<Source>& sources, std::span<const Rain> rain) {
+    std::erase_if(sources, [](const Source& source) { return std::holds_alternative<Rain>(source); });
+    for (const Rain& each : rain) {
+        check(each);
+        sources.emplace_back(each);
+    }
 }
 
 std::vector<Drop> drops_of(const Rain& rain, const Grid& grid, double from_s, double to_s) {
@@ -148,30 +104,15 @@ std::vector<Drop> drops_of(const Rain& rain, const Grid& grid, double from_s, do
 
 DropPatch drop_patch(const Drop& drop, const Grid& grid, Boundary boundary) {
     check(drop);
-    const double reach = drop_reach_in_radii * drop.radius_m;
-    const auto xs = images(drop.at_m.x, reach, {grid.x0_m, grid.dx_m, grid.nx, boundary.x});
-    const auto ys = images(drop.at_m.y, reach, {grid.y0_m, grid.dy_m, grid.ny, boundary.y});
-    if (xs.empty() || ys.empty()) return {};
-    const Image columns = hull(xs);
-    const Image rows = hull(ys);
-    const int nx = columns.to - columns.from;
-    const int ny = rows.to - rows.from;
+    const RoundSpot spot(drop.at_m, drop.radius_m, grid, boundary);
+    const int nx = spot.columns().to - spot.columns().from, ny = spot.rows().to - spot.rows().from;
+    if (nx <= 0 || ny <= 0) return {};
     Sampled shape{Field<double>(nx, ny), Field<double>(nx, ny)};
-    const double per_radius2 = 1 / (drop.radius_m * drop.radius_m);
-    for (const Image& y : ys) {
-        for (const Image& x : xs) {
-            for (int j = y.from; j < y.to; ++j) {
-                for (int i = x.from; i < x.to; ++i) {
-                    const double rx = grid.x_m(i) - x.at;
-                    const double ry = grid.y_m(j) - y.at;
-                    const double q = (rx * rx + ry * ry) * per_radius2;
-                    shape.value(i - columns.from, j - rows.from) += drop.height_m * f64::drop_profile(q);
-                    shape.footprint(i - columns.from, j - rows.from) += f64::drop_footprint(q);
-                }
-            }
-        }
-    }
-    return {columns.from, rows.from, without_volume(std::move(shape))};
+    spot.visit([&](int i, int j, double q) {
+        shape.value(i - spot.columns().from, j - spot.rows().from) += drop.height_m * f64::drop_profile(q);
+        shape.footprint(i - spot.columns().from, j - spot.rows().from) += f64::drop_footprint(q);
+    });
+    return {spot.columns().from, spot.rows().from, without_volume(std::move(shape))};
 }
 
 template <class Real>

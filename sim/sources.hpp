@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -47,6 +48,9 @@ using Source = std::variant<Drop, Rain, Wavemaker>;
 
 /// Throws InputError where a number of the source is out of its range.
 void require_valid(const Source& source);
+
+/// Puts this rain in the place of all rain among the sources. Throws InputError as require_valid().
+void replace_rain(std::vector<Source>& sources, std::span<const Rain> rain);
 
 /// The drops of `rain` that fall on `grid` in [from_s, to_s), in order of time.
 std::vector<Drop> drops_of(const Rain& rain, const Grid& grid, double from_s, double to_s);

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 
+#include "sim/disturbance.hpp"
 #include "sim/state_archive.hpp"
 #include "sim/surface.hpp"
 
@@ -26,6 +28,13 @@ class WaveModel {
     virtual std::string_view name() const = 0;
     /// Moves the state forward by frame_s >= 0 seconds, in as many stable sub-steps as it takes.
     virtual void advance(double frame_s) = 0;
+    /// Disturbs the water now, between calls of advance(): the elevation changes at once, the volume does not. A drop
+    /// leads to what a source of the settings leads to that falls at this time; where time goes by steps it comes, as
+    /// there, at the first step at or after it. Throws InputError where a number is out of its range, or where the
+    /// surface is prescribed; then nothing has changed.
+    virtual void disturb(std::span<const Disturbance> disturbances) = 0;
+    /// From now on it rains like this, in the place of what rain there was. Throws InputError as disturb().
+    virtual void set_rain(std::span<const Rain> rain) = 0;
     /// The surface at the present time, slopes included. Valid until the next advance().
     virtual const Surface& surface() = 0;
     virtual WaveDiagnostics diagnostics() = 0;

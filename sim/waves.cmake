@@ -1,6 +1,7 @@
 # Sources, the linear model and the prescribed surfaces.
 pkg_check_modules(FFTW3 REQUIRED IMPORTED_TARGET fftw3)
 target_sources(waterlight_sim PRIVATE
+    disturbance.cpp
     gerstner.cpp
     gerstner_rows.cpp
     linear.cpp
@@ -10,6 +11,7 @@ target_sources(waterlight_sim PRIVATE
     prescribed.cpp
     prescribed_file.cpp
     prescribed_formula.cpp
+    round_spot.cpp
     runup.cpp
     sources.cpp
     sponge.cpp

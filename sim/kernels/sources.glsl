@@ -1,4 +1,5 @@
-// Shapes of the sources. None has a volume: the integral of each profile over the plane (or the line) is zero.
+// Shapes of the sources. But for a push none has a volume: the integral of each profile over the plane (or the line) is
+// zero.
 
 // A drop at distance r from its centre, q = r^2 / R^2, of unit height: (1 - q) exp(-q).
 KERNEL real drop_profile(real q) {
@@ -13,6 +14,16 @@ KERNEL real drop_footprint(real q) {
 // Two-dimensional Fourier transform of drop_profile, divided by pi R^2; q = k^2 R^2 / 4.
 KERNEL real drop_transform(real q) {
     return q * exp(-q);
+}
+
+// Water pushed up at distance r from the middle, q = r^2 / R^2, of unit height: exp(-q). Its volume is pi R^2.
+KERNEL real push_profile(real q) {
+    return exp(-q);
+}
+
+// Two-dimensional Fourier transform of push_profile, divided by pi R^2; q = k^2 R^2 / 4.
+KERNEL real push_transform(real q) {
+    return exp(-q);
 }
 
 // Cross-section of a wavemaker at distance x from its line, q = x^2 / w^2, unit height: minus the second derivative of a
