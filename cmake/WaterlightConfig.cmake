@@ -10,11 +10,11 @@ foreach(library IN LISTS libraries)
 endforeach()
 
 install(TARGETS ${libraries} EXPORT waterlightTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-foreach(folder IN ITEMS gpu sim caustics export scenarios test_kit)
+foreach(folder IN ITEMS gpu sim caustics export render scenarios test_kit)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/waterlight
         FILES_MATCHING PATTERN "*.hpp" PATTERN "kernels/*.glsl"
-        PATTERN "shaders" EXCLUDE PATTERN "detail" EXCLUDE)
+        PATTERN "shaders" EXCLUDE PATTERN "detail" EXCLUDE PATTERN "window.hpp" EXCLUDE PATTERN "interface.hpp" EXCLUDE)
 endforeach()
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/waterlight)

@@ -1,7 +1,7 @@
-# The window, its cameras and what is under the mouse.
+# Cameras that the mouse moves, and what is under it.
 waterlight_test(window_parts_test
     SOURCES unit/orbit_camera_test.cpp unit/pick_test.cpp
-    LIBRARIES waterlight_window)
+    LIBRARIES waterlight::render)
 
 # On a virtual screen, where Xvfb is installed.
 waterlight_test(presenter_test

@@ -10,5 +10,5 @@ add_library(waterlight_view STATIC
     view/view_state.cpp
 )
 target_link_libraries(waterlight_view
-    PUBLIC waterlight_app waterlight_window
+    PUBLIC waterlight_app waterlight::render waterlight_window
     PRIVATE waterlight_flags fmt::fmt)
