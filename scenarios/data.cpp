@@ -1,8 +1,10 @@
 // Data files that a scenario names.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <span>
 
 #include "scenarios/reader.hpp"
 
@@ -26,9 +28,11 @@ bool is_lacking(const fs::path& beside, const char* data, const fs::path& relati
     return has_folder && !is_here && !(data && fs::exists(fs::path(data) / *relative.begin(), ignored));
 }
 
+fs::path with(const fs::path& stem, std::string_view suffix) { return stem.string() + std::string(suffix); }
+
 /// `suffix` is what the file's name has beyond the path.
 fs::path locate(const Scenario& scenario, std::string_view key, const fs::path& relative, const std::string& suffix) {
-    const auto with_suffix = [&](const fs::path& stem) { return fs::path(stem.string() + suffix); };
+    const auto with_suffix = [&](const fs::path& stem) { return with(stem, suffix); };
     const fs::path beside = scenario.origin.file.parent_path() / relative;
     if (readable(with_suffix(beside))) return beside;
     const char* data = std::getenv("WATERLIGHT_DATA");
@@ -45,7 +49,48 @@ fs::path locate(const Scenario& scenario, std::string_view key, const fs::path& 
     }
 }
 
-constexpr std::array buoy_suffixes{".data_spec", ".swdir", ".swdir2", ".swr1", ".swr2"};
+constexpr std::array<std::string_view, 1> no_suffix{""};
+constexpr std::array<std::string_view, 5> buoy_suffixes{".data_spec", ".swdir", ".swdir2", ".swr1", ".swr2"};
+
+/// Calls visit(key, path, suffixes) for the path of every data file, which it may change.
+template <class Visit>
+void visit_data(Scenario& scenario, Visit visit) {
+    WavesSection& waves = scenario.waves;
+    const auto of = [&](const std::string& key, std::optional<std::string>& path) {
+        if (path) visit(key, *path, std::span<const std::string_view>(no_suffix));
+    };
+    of("domain.bathymetry", scenario.domain.bathymetry);
+    of("waves.file", waves.file);
+    for (std::size_t i = 0; i < waves.inflows.size(); ++i)
+        of(fmt::format("waves.inflow[{}].file", i), waves.inflows[i].signal.file);
+    for (std::size_t i = 0; i < scenario.checks.size(); ++i)
+        if (scenario.checks[i].reference != "exact")
+            of(fmt::format("check[{}].reference", i), scenario.checks[i].reference);
+    if (!waves.buoy) return;
+    std::string stem = waves.buoy->stem.string();
+    visit("waves.buoy.stem", stem, std::span<const std::string_view>(buoy_suffixes));
+    waves.buoy->stem = stem;
+}
+
+/// Whether both are found, and are the same file.
+bool is_same_file(const Scenario& scenario, const std::string& key, const fs::path& stated, const fs::path& found,
+                  std::string_view suffix) {
+    try {
+        return fs::equivalent(with(locate(scenario, key, stated, std::string(suffix)), suffix), with(found, suffix));
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+/// As a TOML string.
+std::string in_quotes(const std::string& text) {
+    std::string quoted;
+    for (const char c : text) {
+        if (c == '"' || c == '\\') quoted += '\\';
+        quoted += c;
+    }
+    return fmt::format("\"{}\"", quoted);
+}
 
 }  // namespace
 
@@ -57,24 +102,32 @@ std::vector<fs::path> data_files(const Scenario& scenario) {
     for (const Inflow& inflow : waves.inflows)
         if (inflow.signal.file) files.emplace_back(*inflow.signal.file);
     if (waves.buoy)
-        for (const char* suffix : buoy_suffixes) files.emplace_back(waves.buoy->stem.string() + suffix);
+        for (const std::string_view suffix : buoy_suffixes) files.push_back(with(waves.buoy->stem, suffix));
     return files;
 }
 
 void find_data(Scenario& scenario) {
-    WavesSection& waves = scenario.waves;
-    std::optional<std::string>& ground = scenario.domain.bathymetry;
-    if (ground) ground = locate(scenario, "domain.bathymetry", *ground, "").string();
-    if (waves.file) waves.file = locate(scenario, "waves.file", *waves.file, "").string();
-    for (std::size_t i = 0; i < waves.inflows.size(); ++i)
-        if (std::optional<std::string>& file = waves.inflows[i].signal.file)
-            file = locate(scenario, fmt::format("waves.inflow[{}].file", i), *file, "").string();
-    for (std::size_t i = 0; i < scenario.checks.size(); ++i)
-        if (std::optional<std::string>& file = scenario.checks[i].reference; file && *file != "exact")
-            file = locate(scenario, fmt::format("check[{}].reference", i), *file, "").string();
-    if (!waves.buoy) return;
-    const fs::path stem = waves.buoy->stem;
-    for (const char* suffix : buoy_suffixes) waves.buoy->stem = locate(scenario, "waves.buoy.stem", stem, suffix);
+    visit_data(scenario, [&](const std::string& key, std::string& path, std::span<const std::string_view> suffixes) {
+        const fs::path stated = path;
+        for (const std::string_view suffix : suffixes)
+            path = locate(scenario, key, stated, std::string(suffix)).string();
+    });
+}
+
+std::vector<std::string> data_overrides(const Scenario& scenario, const fs::path& folder) {
+    Scenario found = scenario;
+    Scenario moved =
+        parse_scenario(scenario.origin.text, fs::absolute(folder) / "scenario.toml", scenario.origin.overrides);
+    std::vector<std::string> paths, overrides;
+    visit_data(found, [&](const std::string&, const std::string& path, auto) { paths.push_back(path); });
+    std::size_t n = 0;
+    visit_data(moved, [&](const std::string& key, const std::string& stated, auto suffixes) {
+        const std::string& path = paths[n++];
+        const bool stays = std::ranges::all_of(
+            suffixes, [&](std::string_view suffix) { return is_same_file(moved, key, stated, path, suffix); });
+        if (!stays) overrides.push_back(fmt::format("{}={}", key, in_quotes(fs::absolute(path).string())));
+    });
+    return overrides;
 }
 
 }  // namespace waterlight

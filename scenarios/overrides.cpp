@@ -14,12 +14,6 @@ namespace {
 
 constexpr std::string_view key_form = "key=value, with a key such as domain.cells or waves.source[0].at_m";
 
-/// name or name[index]
-struct Step {
-    std::string name;
-    std::optional<std::size_t> index;
-};
-
 bool is_bare(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
 }
@@ -28,8 +22,8 @@ bool is_bare(char c) {
     reject(o.place(), o.key.empty() ? "--set" : o.key, fmt::format("the key \"{}\"", o.key), key_form);
 }
 
-Step parse_step(std::string_view part, const Override& o) {
-    Step step;
+KeyStep parse_step(std::string_view part, const Override& o) {
+    KeyStep step;
     const std::size_t bracket = part.find('[');
     step.name = part.substr(0, bracket);
     if (step.name.empty() || !std::all_of(step.name.begin(), step.name.end(), is_bare)) reject_key(o);
@@ -42,19 +36,8 @@ Step parse_step(std::string_view part, const Override& o) {
     return step;
 }
 
-std::vector<Step> parse_path(const Override& o) {
-    std::vector<Step> steps;
-    std::string_view rest = o.key;
-    while (true) {
-        const std::size_t dot = rest.find('.');
-        steps.push_back(parse_step(rest.substr(0, dot), o));
-        if (dot == std::string_view::npos) return steps;
-        rest.remove_prefix(dot + 1);
-    }
-}
-
 /// The table that one step leads to, made where it is missing.
-toml::table& descend(toml::table& from, const Step& step, const Override& o) {
+toml::table& descend(toml::table& from, const KeyStep& step, const Override& o) {
     if (!step.index) {
         toml::node& node = from.insert(step.name, toml::table{}).first->second;
         if (!node.is_table()) reject(o.place(), o.key, fmt::format("\"{}\", which is no section", step.name), key_form);
@@ -70,7 +53,20 @@ toml::table& descend(toml::table& from, const Step& step, const Override& o) {
     return *element;
 }
 
-toml::table parse_value(const Override& o) {
+}  // namespace
+
+std::vector<KeyStep> key_steps(const Override& o) {
+    std::vector<KeyStep> steps;
+    std::string_view rest = o.key;
+    while (true) {
+        const std::size_t dot = rest.find('.');
+        steps.push_back(parse_step(rest.substr(0, dot), o));
+        if (dot == std::string_view::npos) return steps;
+        rest.remove_prefix(dot + 1);
+    }
+}
+
+toml::table stated_value(const Override& o) {
     try {
         toml::table parsed = toml::parse("value = " + o.raw);
         if (parsed.size() == 1) return parsed;
@@ -80,8 +76,6 @@ toml::table parse_value(const Override& o) {
     }
     reject(o.place(), o.key, fmt::format("\"{}\"", o.raw), "one TOML value");
 }
-
-}  // namespace
 
 bool Override::covers(std::string_view path) const {
     if (path.substr(0, key.size()) != key) return false;
@@ -101,12 +95,12 @@ Override parse_override(const std::string& text) {
 }
 
 void apply_override(toml::table& root, const Override& o) {
-    std::vector<Step> steps = parse_path(o);
-    const Step last = steps.back();
+    std::vector<KeyStep> steps = key_steps(o);
+    const KeyStep last = steps.back();
     steps.pop_back();
     toml::table* table = &root;
-    for (const Step& step : steps) table = &descend(*table, step, o);
-    toml::table parsed = parse_value(o);
+    for (const KeyStep& step : steps) table = &descend(*table, step, o);
+    toml::table parsed = stated_value(o);
     toml::node& value = *parsed.get("value");
     if (!last.index) {
         table->insert_or_assign(last.name, value);

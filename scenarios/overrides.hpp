@@ -2,6 +2,7 @@
 #pragma once
 
 #include <toml++/toml.h>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,17 @@ struct Override {
     /// Whether `path` is this key or lies within it.
     bool covers(std::string_view path) const;
 };
+
+/// name or name[index]
+struct KeyStep {
+    std::string name;
+    std::optional<std::size_t> index;
+};
+
+/// The steps of an override's key. Throws InputError where it is none.
+std::vector<KeyStep> key_steps(const Override& override);
+/// A table with what it states under "value". Throws InputError where that is none.
+toml::table stated_value(const Override& override);
 
 /// Throws InputError where there is no key or no "=".
 Override parse_override(const std::string& text);

@@ -74,6 +74,26 @@ Scenario possible(const Scenario& scenario) {
     return scenario;
 }
 
+Scenario open_scenario(std::string_view text, const std::filesystem::path& file,
+                       const std::vector<std::string>& overrides) {
+    Scenario scenario = parse_scenario(text, file, overrides);
+    check_combinations(possible(scenario));
+    if (!is_open(scenario)) check_memory(scenario, machine_memory());
+    find_data(scenario);
+    return scenario;
+}
+
+Scenario settled(Scenario scenario) {
+    if (!is_open(scenario)) {
+        warn_of_breaking(scenario);
+        return scenario;
+    }
+    settle(scenario, choose(scenario));
+    check_combinations(scenario);
+    check_memory(scenario, machine_memory());
+    return scenario;
+}
+
 }  // namespace
 
 Scenario parse_scenario(std::string_view text, const std::filesystem::path& file,
@@ -99,23 +119,15 @@ Scenario parse_scenario(std::string_view text, const std::filesystem::path& file
 }
 
 Scenario read_open_scenario(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-    Scenario scenario = parse_scenario(read_text(file), file, overrides);
-    check_combinations(possible(scenario));
-    if (!is_open(scenario)) check_memory(scenario, machine_memory());
-    find_data(scenario);
-    return scenario;
+    return open_scenario(read_text(file), file, overrides);
 }
 
 Scenario read_scenario(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-    Scenario scenario = read_open_scenario(file, overrides);
-    if (!is_open(scenario)) {
-        warn_of_breaking(scenario);
-        return scenario;
-    }
-    settle(scenario, choose(scenario));
-    check_combinations(scenario);
-    check_memory(scenario, machine_memory());
-    return scenario;
+    return settled(read_open_scenario(file, overrides));
+}
+
+Scenario read_again(const Origin& origin, const std::vector<std::string>& overrides) {
+    return settled(open_scenario(origin.text, origin.file, overrides));
 }
 
 }  // namespace waterlight

@@ -17,6 +17,10 @@ namespace waterlight {
 /// --set KEY=VALUE): KEY: found X; allowed: Y.
 Scenario read_scenario(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
+/// The same of the text that another scenario came from, whatever its file holds by now, with these overrides in place of
+/// its own.
+Scenario read_again(const Origin& origin, const std::vector<std::string>& overrides);
+
 /// The same before anything is chosen: is_open() where it leaves something to settle().
 Scenario read_open_scenario(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
@@ -37,6 +41,10 @@ struct MissingData : InputError {
 /// Replaces the paths of data files by where they are: beside the scenario, else below $WATERLIGHT_DATA. Throws
 /// InputError naming both where there is none, MissingData where the folder is not there either.
 void find_data(Scenario& scenario);
+
+/// What a scenario that lies in `folder` must say of its data files ("key=value") to find those of this one, whose
+/// find_data() was called: nothing where it finds them as it is.
+std::vector<std::string> data_overrides(const Scenario& scenario, const std::filesystem::path& folder);
 
 /// The files that find_data() found.
 std::vector<std::filesystem::path> data_files(const Scenario& scenario);

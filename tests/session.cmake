@@ -1,3 +1,9 @@
 # Water disturbed by hand, and the running scenario that a person plays with.
+find_package(tomlplusplus REQUIRED)
+
 waterlight_test(disturb_test SOURCES laws/disturb.cpp LIBRARIES waterlight::sim)
 waterlight_test(disturb_vulkan_test SOURCES laws/disturb_vulkan.cpp LIBRARIES waterlight::sim_vulkan)
+waterlight_test(rewrite_test
+    SOURCES unit/rewrite_test.cpp
+    LIBRARIES waterlight::scenarios tomlplusplus::tomlplusplus fmt::fmt)
+target_compile_definitions(rewrite_test PRIVATE WATERLIGHT_SOURCE="${PROJECT_SOURCE_DIR}")
