@@ -18,6 +18,7 @@ struct Camera {
     double fov_deg = 50;            ///< angle from the lower to the upper edge, in (0, 180)
     glm::ivec2 size{900, 600};      ///< pixels, >= 1
     bool mirrored = false;          ///< place, target and rays are those of mirrored(): the picture is the same
+    bool operator==(const Camera&) const = default;
 
     /// Pixel (i, j), j counted upwards, looks along corner + i right + j up, which advances by 1 along the view.
     struct Rays {

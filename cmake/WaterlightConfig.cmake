@@ -14,7 +14,7 @@ foreach(folder IN ITEMS gpu sim caustics export render scenarios test_kit)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/waterlight
         FILES_MATCHING PATTERN "*.hpp" PATTERN "kernels/*.glsl"
-        PATTERN "shaders" EXCLUDE PATTERN "detail" EXCLUDE)
+        PATTERN "shaders" EXCLUDE PATTERN "detail" EXCLUDE PATTERN "window.hpp" EXCLUDE PATTERN "interface.hpp" EXCLUDE)
 endforeach()
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/waterlight)

@@ -8,12 +8,14 @@ namespace {
 
 // Features that Vulkan 1.3 grants to everyone who asks: barriers of the newer form, workgroup sizes that are
 // specialisation constants, and drawing without render passes.
-vk::raii::Device open_device(const vk::raii::PhysicalDevice& physical, std::uint32_t queue_family) {
+vk::raii::Device open_device(const vk::raii::PhysicalDevice& physical, std::uint32_t queue_family, bool presents) {
     const float priority = 1;
     const vk::DeviceQueueCreateInfo queue({}, queue_family, 1, &priority);
     vk::PhysicalDeviceVulkan13Features features;
     features.setSynchronization2(true).setMaintenance4(true).setDynamicRendering(true);
     vk::DeviceCreateInfo info({}, queue);
+    constexpr const char* swapchain = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
+    if (presents) info.setPEnabledExtensionNames(swapchain);
     info.setPNext(&features);
     return {physical, info};
 }
@@ -29,8 +31,8 @@ std::uint32_t Context::Impl::memory_type(std::uint32_t allowed,
 }
 
 Context::Context(const ContextSettings& settings) {
-    impl_ = std::make_unique<Impl>(make_instance(settings.validation));
-    impl_->selection = survey(impl_->instance, settings.device);
+    impl_ = std::make_unique<Impl>(make_instance(settings));
+    impl_->selection = survey(impl_->instance, settings);
     const Selection& selection = impl_->selection;
     if (!selection.chosen) throw Error(selection.explanation);
     const bool shared = device().type == DeviceType::cpu || device().type == DeviceType::integrated;
@@ -39,7 +41,7 @@ Context::Context(const ContextSettings& settings) {
         vk::raii::PhysicalDevices devices(impl_->instance.handle);
         impl_->physical = std::move(devices.at(*selection.chosen));
         impl_->queue_family = *pass_queue_family(impl_->physical);
-        impl_->device = open_device(impl_->physical, impl_->queue_family);
+        impl_->device = open_device(impl_->physical, impl_->queue_family, settings.window_system.has_value());
         impl_->queue = {impl_->device, impl_->queue_family, 0};
         impl_->pool = {impl_->device, vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eResetCommandBuffer,
                                                                 impl_->queue_family)};

@@ -21,6 +21,9 @@ std::vector<std::string> rejections(const DeviceDescription& device) {
     if (device.largest_storage_buffer_b < needed_storage_buffer_b)
         reasons.push_back(fmt::format("holds storage buffers of {} bytes, needs {}", device.largest_storage_buffer_b,
                                       needed_storage_buffer_b));
+    if (!device.presents) return reasons;
+    for (std::string& reason : drawing_rejections(device)) reasons.push_back(std::move(reason));
+    if (!*device.presents) reasons.emplace_back("cannot show pictures in this window system");
     return reasons;
 }
 

@@ -36,9 +36,11 @@ struct DeviceDescription {
     bool graphics = false;                       ///< the queue that runs compute passes draws too
     bool adds_floats = false;                    ///< blends into targets of 32-bit floats
     std::uint32_t largest_target = 0;            ///< pixels along a side of what it draws into
+    std::optional<bool> presents = {};           ///< that queue shows pictures in the window asked for; none: none was
 };
 
-/// Every reason why passes that draw cannot run on the device; none if they can. Other passes may.
+/// Every reason why passes that draw cannot run on the device; none if they can. Other passes may. A device for a
+/// window is rejected for them, too.
 std::vector<std::string> drawing_rejections(const DeviceDescription& device);
 
 /// A device and every reason why it cannot be used; none if it can.

@@ -75,14 +75,14 @@ vk::raii::Instance create(const vk::raii::Context& loader, const vk::InstanceCre
     }
 }
 
-void open_plain(Instance& instance) {
-    instance.handle = create(instance.loader, vk::InstanceCreateInfo({}, &application));
+void open_plain(Instance& instance, const std::vector<const char*>& extensions) {
+    instance.handle = create(instance.loader, vk::InstanceCreateInfo({}, &application, {}, extensions));
 }
 
-void open_validated(Instance& instance) {
+void open_validated(Instance& instance, std::vector<const char*> extensions) {
     require_validation_layer(instance.loader);
-    const std::vector<const char*> extensions{VK_EXT_DEBUG_UTILS_EXTENSION_NAME,
-                                              VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME};
+    extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
     const vk::ValidationFeatureEnableEXT barriers = vk::ValidationFeatureEnableEXT::eSynchronizationValidation;
     using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
     using Kind = vk::DebugUtilsMessageTypeFlagBitsEXT;
@@ -98,9 +98,13 @@ void open_validated(Instance& instance) {
 
 }  // namespace
 
-Instance make_instance(bool validation) {
+Instance make_instance(const ContextSettings& settings) {
     Instance instance{std::make_unique<Messages>(), open_loader()};
-    attempt("open Vulkan", [&] { validation ? open_validated(instance) : open_plain(instance); });
+    std::vector<const char*> extensions;
+    if (settings.window_system)
+        for (const std::string& name : settings.window_system->instance_extensions) extensions.push_back(name.c_str());
+    attempt("open Vulkan",
+            [&] { settings.validation ? open_validated(instance, extensions) : open_plain(instance, extensions); });
     return instance;
 }  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): it loses sight of the loader's owner
 
@@ -143,12 +147,24 @@ DeviceDescription describe(const vk::raii::PhysicalDevice& device) {
     return description;
 }
 
-Selection survey(const Instance& instance, std::string_view wanted) {
+bool presents(const Instance& instance, const vk::raii::PhysicalDevice& device, const WindowSystem& system) {
+    const std::vector<vk::ExtensionProperties> extensions = device.enumerateDeviceExtensionProperties();
+    const bool swaps = std::any_of(extensions.begin(), extensions.end(), [](const vk::ExtensionProperties& extension) {
+        return std::strcmp(extension.extensionName, VK_KHR_SWAPCHAIN_EXTENSION_NAME) == 0;
+    });
+    const std::optional<std::uint32_t> family = pass_queue_family(device);
+    return swaps && family &&
+           system.presents(static_cast<VkInstance>(*instance.handle), static_cast<VkPhysicalDevice>(*device), *family);
+}
+
+Selection survey(const Instance& instance, const ContextSettings& settings) {
     try {
         std::vector<DeviceDescription> devices;
-        for (const vk::raii::PhysicalDevice& device : vk::raii::PhysicalDevices(instance.handle))
+        for (const vk::raii::PhysicalDevice& device : vk::raii::PhysicalDevices(instance.handle)) {
             devices.push_back(describe(device));
-        if (!devices.empty()) return select_device(std::move(devices), wanted);
+            if (settings.window_system) devices.back().presents = presents(instance, device, *settings.window_system);
+        }
+        if (!devices.empty()) return select_device(std::move(devices), settings.device);
         return {{}, std::nullopt, no_driver};
     } catch (const vk::Error& error) {
         return {{}, std::nullopt, std::string(no_driver) + ": " + error.what()};
@@ -157,7 +173,8 @@ Selection survey(const Instance& instance, std::string_view wanted) {
 
 Selection survey(std::string_view wanted) {
     try {
-        return survey(make_instance(false), wanted);
+        const ContextSettings settings{.device = std::string(wanted)};
+        return survey(make_instance(settings), settings);
     } catch (const Error& error) {
         return {{}, std::nullopt, error.what()};
     }

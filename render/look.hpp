@@ -13,6 +13,7 @@ struct Finish {
     Pattern pattern = Pattern::plain;
     glm::dvec3 albedo{0.8, 0.8, 0.8};  ///< linear red, green, blue, each in [0, 1]
     double tile_m = 0.25;              ///< side of a tile; of sand, the distance of its ripples; > 0
+    bool operator==(const Finish&) const = default;
 };
 
 /// Diffuse light from above. Its radiance is a pattern of direction times a strength that makes its irradiance on the
@@ -21,6 +22,7 @@ struct Sky {
     enum class Type { clear, uniform };
     Type type = Type::clear;
     std::optional<double> irradiance_w_m2;  ///< on the horizontal plane; none: a sixth of the sun's E0
+    bool operator==(const Sky&) const = default;
 };
 
 /// Fields shown as colours instead of the material's own.
@@ -28,6 +30,7 @@ enum class Overlay { none, elevation, irradiance, error };
 
 struct OverlayRange {
     double low = 0, high = 1;  ///< in the field's unit, at the ends of the colour map
+    bool operator==(const OverlayRange&) const = default;
 };
 
 struct Look {
@@ -44,6 +47,7 @@ struct Look {
     glm::dvec3 colour_per_m{0.340, 0.0565, 0.0092};
     Overlay overlay = Overlay::none;
     OverlayRange range;
+    bool operator==(const Look&) const = default;
 };
 
 }  // namespace waterlight

@@ -48,13 +48,16 @@ struct Instance {
     vk::raii::DebugUtilsMessengerEXT messenger{nullptr};
 };
 
-/// Throws gpu::Error without a loader, without a driver, or where the layer is asked for and absent.
-Instance make_instance(bool validation);
+/// Throws gpu::Error without a loader, without a driver, or where the layer or an extension is asked for and absent.
+Instance make_instance(const ContextSettings& settings);
 
 DeviceDescription describe(const vk::raii::PhysicalDevice& device);
 
+/// Whether the queue that passes run on shows pictures in the window system.
+bool presents(const Instance& instance, const vk::raii::PhysicalDevice& device, const WindowSystem& system);
+
 /// As survey() of gpu/device.hpp, through an instance that is open.
-Selection survey(const Instance& instance, std::string_view wanted);
+Selection survey(const Instance& instance, const ContextSettings& settings);
 
 /// The queue family that passes run on: one that has graphics beside compute, if there is one.
 std::optional<std::uint32_t> pass_queue_family(const vk::raii::PhysicalDevice& device);

@@ -1,5 +1,6 @@
 // A Vulkan layer that loses the device: from the submission on whose number $WATERLIGHT_LOST_AFTER gives, every one
-// returns VK_ERROR_DEVICE_LOST. So that a test sees what a driver's reset does.
+// returns VK_ERROR_DEVICE_LOST. So that a test sees what a driver's reset does. Of the images of a window, that on
+// whose number $WATERLIGHT_SURFACE_LOST_AT gives is answered by VK_ERROR_SURFACE_LOST_KHR, once.
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
 
@@ -12,6 +13,7 @@ namespace {
 PFN_vkGetInstanceProcAddr next_instance = nullptr;
 PFN_vkGetDeviceProcAddr next_device = nullptr;
 PFN_vkQueueSubmit2 next_submit = nullptr;
+PFN_vkAcquireNextImageKHR next_acquire = nullptr;
 
 /// The link of the loader's chain of layers that this one takes and hands on.
 template <class Info, class CreateInfo>
@@ -36,8 +38,9 @@ VkResult create_device(VkPhysicalDevice physical, const VkDeviceCreateInfo* crea
     const auto make = link->u.pLayerInfo->pfnNextGetInstanceProcAddr(nullptr, "vkCreateDevice");
     link->u.pLayerInfo = link->u.pLayerInfo->pNext;
     const VkResult result = reinterpret_cast<PFN_vkCreateDevice>(make)(physical, create, memory, device);
-    if (result == VK_SUCCESS)
-        next_submit = reinterpret_cast<PFN_vkQueueSubmit2>(next_device(*device, "vkQueueSubmit2"));
+    if (result != VK_SUCCESS) return result;
+    next_submit = reinterpret_cast<PFN_vkQueueSubmit2>(next_device(*device, "vkQueueSubmit2"));
+    next_acquire = reinterpret_cast<PFN_vkAcquireNextImageKHR>(next_device(*device, "vkAcquireNextImageKHR"));
     return result;
 }
 
@@ -48,9 +51,19 @@ VkResult submit(VkQueue queue, std::uint32_t count, const VkSubmitInfo2* submits
     return next_submit(queue, count, submits, fence);
 }
 
+VkResult acquire(VkDevice device, VkSwapchainKHR chain, std::uint64_t timeout_ns, VkSemaphore semaphore, VkFence fence,
+                 std::uint32_t* image) {
+    static int acquired = 0;
+    const char* lost = std::getenv("WATERLIGHT_SURFACE_LOST_AT");
+    if (lost && ++acquired == std::atoi(lost)) return VK_ERROR_SURFACE_LOST_KHR;
+    return next_acquire(device, chain, timeout_ns, semaphore, fence, image);
+}
+
 PFN_vkVoidFunction device_function(VkDevice device, const char* name) {
     if (std::strcmp(name, "vkGetDeviceProcAddr") == 0) return reinterpret_cast<PFN_vkVoidFunction>(device_function);
     if (std::strcmp(name, "vkQueueSubmit2") == 0) return reinterpret_cast<PFN_vkVoidFunction>(submit);
+    if (std::strcmp(name, "vkAcquireNextImageKHR") == 0 && next_acquire)
+        return reinterpret_cast<PFN_vkVoidFunction>(acquire);
     return next_device(device, name);
 }
 

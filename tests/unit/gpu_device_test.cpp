@@ -73,6 +73,16 @@ TEST(DeviceSelection, DoesNotReplaceTheOneAskedForByAnother) {
     EXPECT_EQ(rejected.explanation, "no Vulkan device can be used: 1 \"Iris Xe\" offers Vulkan 1.2.0, needs 1.3.0");
 }
 
+TEST(DeviceSelection, PassesOverADeviceThatCannotShowPicturesWhereAWindowIsAskedFor) {
+    DeviceDescription blind = radeon, seeing = iris;
+    blind.presents = false;
+    seeing.presents = seeing.graphics = seeing.adds_floats = true;
+    EXPECT_EQ(select_device({blind, seeing}).chosen, 1U);
+    seeing.graphics = false;
+    const Selection none = select_device({seeing});
+    EXPECT_EQ(none.explanation, "no Vulkan device can be used: 0 \"Iris Xe\" has no queue for drawing");
+}
+
 TEST(DeviceSelection, SaysThatThereIsNothing) {
     const Selection none = select_device({});
     EXPECT_FALSE(none.chosen);

@@ -1,0 +1,33 @@
+#include "app/view/picture_size.hpp"
+
+#include <glm/common.hpp>
+
+namespace waterlight {
+
+namespace {
+
+constexpr double longest_ms = 70, spare_ms = 35;  // twice as long leaves the interface above ten pictures a second
+constexpr int most = 4;
+constexpr int settled = 5;  // pictures, after which a time counts: the first of a size allocates
+
+}  // namespace
+
+glm::ivec2 PictureSize::of(glm::ivec2 window, int wished) const {
+    return glm::max(window / (wished > 0 ? wished : divisor_), glm::ivec2(1));
+}
+
+void PictureSize::learn(double draw_ms) {
+    if (++since_change_ < settled) return;
+    const auto at_divisor = [&](int divisor) {
+        const double finer = static_cast<double>(divisor_) / divisor;
+        return draw_ms * finer * finer;
+    };
+    const int before = divisor_;
+    if (draw_ms > longest_ms && divisor_ < most)
+        ++divisor_;
+    else if (divisor_ > 1 && at_divisor(divisor_ - 1) < spare_ms)
+        --divisor_;
+    if (divisor_ != before) since_change_ = 0;
+}
+
+}  // namespace waterlight
