@@ -8,7 +8,6 @@
 #include "app/flashes.hpp"
 #include "app/shallow_watch.hpp"
 #include "scenarios/build_shallow.hpp"
-#include "scenarios/resolve.hpp"
 #include "sim/error.hpp"
 
 namespace waterlight {
@@ -60,7 +59,7 @@ void BeamStage::compute(const Surface& surface) {
     compute_beams(surface);
     if (scenario_.beams->reflected) make_reflected_beams(reflected_settings(scenario_), surface, reflected_);
     if (scenario_.beams->volume_cells) renderer_->fill(beams_, *scenario_.beams->volume_cells, volume_);
-    if (scenario_.camera) draw(surface);
+    if (sees_scattered_light(scenario_)) draw(surface);
 }
 
 void BeamStage::draw(const Surface& surface) {

@@ -13,6 +13,7 @@
 #include "export/runup.hpp"
 #include "scenarios/resolve.hpp"
 #include "scenarios/resolve_light.hpp"
+#include "scenarios/resolve_picture.hpp"
 #include "sim/error.hpp"
 
 namespace waterlight {
@@ -97,19 +98,19 @@ std::size_t FrameFiles::bytes() const {
     return count * sizeof(float);
 }
 
-Outputs::Outputs(const RunFolder& folder, const Scenario& scenario, double still_irradiance, StateArchive* state)
+Outputs::Outputs(const RunFolder& folder, const Scenario& scenario, StateArchive* state)
     : place_(folder),
       folder_(folder.path()),
       settings_(scenario.output),
       depth_m_(scenario.domain.depth_m),
       wet_m_(scenario.waves.wet_m.value_or(ShallowWaterSettings{}.wet_m)),
-      irradiance_max_(settings_.irradiance_max_w_m2.value_or(still_irradiance > 0 ? 3 * still_irradiance : 1)),
+      irradiance_max_(irradiance_max(scenario)),
       surface_series_(folder_, "surface", settings_.compression),
       floor_series_(folder_, "floor", settings_.compression),
       volume_series_(folder_, "volume", settings_.compression),
       walls_series_(folder_, "walls", settings_.compression),
       has_volume_(scenario.beams && scenario.beams->volume_cells),
-      has_picture_(scenario.camera.has_value()),
+      has_picture_(sees_scattered_light(scenario)),
       radiance_max_(scenario.camera ? scenario.camera->radiance_max : std::nullopt),
       radiance_decades_(scenario.camera ? scenario.camera->radiance_decades : std::nullopt) {
     if (scenario.floor) plan_ = floor_settings(scenario).plan;

@@ -67,9 +67,8 @@ struct FrameFiles {
 /// Writes frames into a folder beside the computation. Throws WorldError, then or with a later call.
 class Outputs {
   public:
-    /// `still_irradiance` (W/m2) is that of flat water. `state` is what a checkpoint kept, or null: from there it goes
-    /// on with the files that are in the folder.
-    Outputs(const RunFolder& folder, const Scenario& scenario, double still_irradiance, StateArchive* state);
+    /// `state` is what a checkpoint kept, or null: from there it goes on with the files that are in the folder.
+    Outputs(const RunFolder& folder, const Scenario& scenario, StateArchive* state);
 
     /// Copies what it needs and returns; waits only while the queue is full.
     void push(const FrameView& view, std::vector<double> probes);

@@ -83,7 +83,7 @@ Json beams_json(const BeamRecord& record, const Scenario& scenario, int frames) 
                           {"brightest_depth_m", record.brightest_depth_m},
                           {"sampled_every_s", record.sampled_every_s},
                           {"slices", slices_json(record.slices)}};
-    if (scenario.camera)
+    if (sees_scattered_light(scenario))
         json["camera"] = {{"mean_radiance_w_m2_sr", record.mean_radiance},
                           {"max_radiance_w_m2_sr", record.max_radiance},
                           {"beams", record.counts.beams},

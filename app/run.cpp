@@ -26,7 +26,6 @@
 #include "gpu/error.hpp"
 #include "scenarios/build.hpp"
 #include "scenarios/reader.hpp"
-#include "scenarios/resolve_light.hpp"
 #include "sim/error.hpp"
 
 namespace waterlight {
@@ -91,7 +90,7 @@ class Run {
         if (goes_on) state = restored();
         if (!options_.quiet) say_where_it_starts(goes_on);
         if (!goes_on) fs::remove(checkpoint());
-        Outputs outputs(folder, scenario_, still_irradiance(scenario_), state ? &*state : nullptr);
+        Outputs outputs(folder, scenario_, state ? &*state : nullptr);
         if (state) state->require_end();
         state.reset();
         fs::remove(out_ / "report.json");
