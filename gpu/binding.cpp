@@ -1,4 +1,4 @@
-// The buffers and push constants of a pass.
+// The buffers, pictures and push constants of a pass.
 #include <cassert>
 
 #include "gpu/detail/vulkan.hpp"
@@ -7,10 +7,13 @@ namespace waterlight::gpu {
 
 namespace {
 
+using Type = vk::DescriptorType;
+
 vk::raii::DescriptorSetLayout make_set_layout(const vk::raii::Device& device, std::uint32_t buffers,
-                                              vk::ShaderStageFlags stages) {
+                                              std::uint32_t targets, vk::ShaderStageFlags stages) {
     std::vector<vk::DescriptorSetLayoutBinding> bindings;
-    for (std::uint32_t i = 0; i < buffers; ++i) bindings.emplace_back(i, vk::DescriptorType::eStorageBuffer, 1, stages);
+    for (std::uint32_t i = 0; i < buffers + targets; ++i)
+        bindings.emplace_back(i, i < buffers ? Type::eStorageBuffer : Type::eSampledImage, 1, stages);
     return {device, vk::DescriptorSetLayoutCreateInfo({}, bindings)};
 }
 
@@ -25,24 +28,30 @@ vk::raii::PipelineLayout make_layout(const vk::raii::Device& device, const vk::D
 }  // namespace
 
 Binding::Binding(const vk::raii::Device& device, std::uint32_t buffer_count, std::uint32_t bytes_pushed,
-                 vk::ShaderStageFlags used_in)
-    : buffers(buffer_count), push_bytes(bytes_pushed), stages(used_in) {
+                 vk::ShaderStageFlags used_in, std::uint32_t target_count)
+    : buffers(buffer_count), targets(target_count), push_bytes(bytes_pushed), stages(used_in) {
     assert(buffers > 0 && push_bytes % 4 == 0 && push_bytes <= 128);
-    set_layout = make_set_layout(device, buffers, stages);
+    set_layout = make_set_layout(device, buffers, targets, stages);
     layout = make_layout(device, *set_layout, push_bytes, stages);
-    const vk::DescriptorPoolSize size(vk::DescriptorType::eStorageBuffer, buffers);
-    pool = {device, vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, size)};
+    std::vector<vk::DescriptorPoolSize> sizes{{Type::eStorageBuffer, buffers}};
+    if (targets > 0) sizes.emplace_back(Type::eSampledImage, targets);
+    pool = {device, vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes)};
     vk::raii::DescriptorSets sets(device, vk::DescriptorSetAllocateInfo(*pool, *set_layout));
     set = std::move(sets.front());
 }
 
-void Binding::bind(const vk::raii::Device& device, std::initializer_list<const Buffer*> all) const {
-    assert(all.size() == buffers);
+void Binding::bind(const vk::raii::Device& device, std::initializer_list<const Buffer*> all,
+                   std::initializer_list<const Target*> read) const {
+    assert(all.size() == buffers && read.size() == targets);
     std::vector<vk::DescriptorBufferInfo> infos;
     for (const Buffer* buffer : all) infos.emplace_back(*buffer->impl().main.handle, 0, VK_WHOLE_SIZE);
-    const vk::WriteDescriptorSet write(*set, 0, 0, vk::DescriptorType::eStorageBuffer, {}, infos);
-    // One write fills all bindings: Vulkan lets it run on into the next binding of the same type.
-    device.updateDescriptorSets(write, {});
+    std::vector<vk::DescriptorImageInfo> images;
+    for (const Target* target : read)
+        images.emplace_back(vk::Sampler(), *target->impl().pixels.view, vk::ImageLayout::eShaderReadOnlyOptimal);
+    // One write fills all bindings of a type: Vulkan lets it run on into the next binding of the same type.
+    std::vector<vk::WriteDescriptorSet> writes{{*set, 0, 0, Type::eStorageBuffer, {}, infos}};
+    if (!images.empty()) writes.emplace_back(*set, buffers, 0, Type::eSampledImage, images);
+    device.updateDescriptorSets(writes, {});
 }
 
 void Binding::use(const vk::raii::CommandBuffer& list, vk::PipelineBindPoint point,

@@ -14,8 +14,15 @@ using Layout = vk::ImageLayout;
 
 constexpr vk::AccessFlags2 device_writes = Access::eShaderStorageWrite | Access::eTransferWrite;
 constexpr vk::AccessFlags2 device_accesses = device_writes | Access::eShaderStorageRead | Access::eTransferRead;
-constexpr vk::AccessFlags2 drawing_writes = Access::eColorAttachmentWrite;
-constexpr vk::AccessFlags2 drawing_accesses = drawing_writes | Access::eColorAttachmentRead;
+constexpr vk::AccessFlags2 drawing_writes = Access::eColorAttachmentWrite | Access::eDepthStencilAttachmentWrite;
+constexpr vk::AccessFlags2 drawing_accesses =
+    drawing_writes | Access::eColorAttachmentRead | Access::eDepthStencilAttachmentRead | Access::eShaderSampledRead;
+constexpr vk::PipelineStageFlags2 drawing_stages = Stage::eVertexShader | Stage::eFragmentShader |
+                                                   Stage::eEarlyFragmentTests | Stage::eLateFragmentTests |
+                                                   Stage::eColorAttachmentOutput;
+// Of images between entries of a list.
+constexpr Layout drawn_into = Layout::eColorAttachmentOptimal;
+constexpr Layout depth_layout = Layout::eDepthStencilAttachmentOptimal;
 
 std::uint32_t groups(std::uint32_t invocations, std::uint32_t workgroup) {
     return (invocations + workgroup - 1) / workgroup;
@@ -39,7 +46,7 @@ struct Commands::Impl {
     const vk::raii::CommandBuffer& begin();
     void barrier() const;
     void barrier_to_host() const;
-    void relayout(const Target& target, vk::ImageLayout from, vk::ImageLayout to) const;
+    void relayout(const Image& image, vk::ImageLayout from, vk::ImageLayout to) const;
     template <class Work>
     void timed(const std::string& name, vk::PipelineStageFlags2 stage, Work work);
     void read_stamps();
@@ -54,7 +61,7 @@ Commands::Impl::Impl(std::shared_ptr<Context> owner, std::uint32_t timed) : cont
     writes = device_writes;
     accesses = device_accesses;
     if (context->device().graphics) {
-        stages |= Stage::eVertexShader | Stage::eFragmentShader | Stage::eColorAttachmentOutput;
+        stages |= drawing_stages;
         writes |= drawing_writes;
         accesses |= drawing_accesses;
     }
@@ -85,10 +92,10 @@ void Commands::Impl::barrier_to_host() const {
     list.pipelineBarrier2(vk::DependencyInfo({}, all));
 }
 
-// A barrier that also brings the pixels into another layout.
-void Commands::Impl::relayout(const Target& target, vk::ImageLayout from, vk::ImageLayout to) const {
+// A barrier that also brings the image into another layout.
+void Commands::Impl::relayout(const Image& image, vk::ImageLayout from, vk::ImageLayout to) const {
     const vk::ImageMemoryBarrier2 change(stages, writes, stages, accesses, from, to, VK_QUEUE_FAMILY_IGNORED,
-                                         VK_QUEUE_FAMILY_IGNORED, *target.impl().image, Target::Impl::whole);
+                                         VK_QUEUE_FAMILY_IGNORED, *image.handle, image.range);
     list.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, change));
 }
 
@@ -160,22 +167,35 @@ void Commands::dispatch_bytes(const Pass& pass, Extent extent, std::span<const s
 
 void Commands::clear(const Target& target) {
     const vk::raii::CommandBuffer& list = impl_->begin();
-    impl_->relayout(target, Layout::eUndefined, Layout::eTransferDstOptimal);
-    list.clearColorImage(*target.impl().image, Layout::eTransferDstOptimal,
-                         vk::ClearColorValue(std::array{0.0F, 0.0F, 0.0F, 0.0F}), Target::Impl::whole);
-    impl_->relayout(target, Layout::eTransferDstOptimal, Layout::eColorAttachmentOptimal);
+    const Image& colours = target.impl().drawn();
+    const Image& depth = target.impl().depth;
+    constexpr Layout filled = Layout::eTransferDstOptimal;
+    impl_->relayout(colours, Layout::eUndefined, filled);
+    list.clearColorImage(*colours.handle, filled, vk::ClearColorValue(std::array{0.0F, 0.0F, 0.0F, 0.0F}),
+                         colours.range);
+    impl_->relayout(colours, filled, drawn_into);
+    if (!depth) return;
+    impl_->relayout(depth, Layout::eUndefined, filled);
+    list.clearDepthStencilImage(*depth.handle, filled, vk::ClearDepthStencilValue(0, 0), depth.range);
+    impl_->relayout(depth, filled, depth_layout);
 }
 
 void Commands::draw_bytes(const Raster& raster, const Target& target, Strips strips,
                           std::span<const std::byte> parameters) {
     const Raster::Impl& r = raster.impl();
     const Target::Impl& t = target.impl();
+    assert(r.depth == Depth::none || t.depth);
     const vk::raii::CommandBuffer& list = impl_->begin();
     const vk::Rect2D area({0, 0}, {t.width, t.height});
+    const auto attached = [](const Image& image, Layout layout) {
+        return vk::RenderingAttachmentInfo(*image.view, layout, {}, {}, {}, vk::AttachmentLoadOp::eLoad,
+                                           vk::AttachmentStoreOp::eStore);
+    };
+    for (const Target* read : r.read) impl_->relayout(read->impl().pixels, drawn_into, Layout::eShaderReadOnlyOptimal);
     impl_->timed(r.name, Stage::eColorAttachmentOutput, [&] {
-        const vk::RenderingAttachmentInfo colour(*t.view, Layout::eColorAttachmentOptimal, {}, {}, {},
-                                                 vk::AttachmentLoadOp::eLoad, vk::AttachmentStoreOp::eStore);
-        list.beginRendering(vk::RenderingInfo({}, area, 1, 0, colour));
+        const vk::RenderingAttachmentInfo colour = attached(t.drawn(), drawn_into);
+        const vk::RenderingAttachmentInfo depth = attached(t.depth, depth_layout);
+        list.beginRendering(vk::RenderingInfo({}, area, 1, 0, colour, r.depth == Depth::none ? nullptr : &depth));
         list.bindPipeline(vk::PipelineBindPoint::eGraphics, *r.pipeline);
         list.setViewport(0, vk::Viewport(0, 0, static_cast<float>(t.width), static_cast<float>(t.height), 0, 1));
         list.setScissor(0, area);
@@ -183,18 +203,34 @@ void Commands::draw_bytes(const Raster& raster, const Target& target, Strips str
         list.draw(strips.vertices, strips.count, 0, 0);
         list.endRendering();
     });
+    for (const Target* read : r.read) impl_->relayout(read->impl().pixels, Layout::eShaderReadOnlyOptimal, drawn_into);
     impl_->barrier();
+}
+
+void Commands::resolve(const Target& target) {
+    const Target::Impl& t = target.impl();
+    if (!t.many) return;
+    constexpr Layout from = Layout::eTransferSrcOptimal, to = Layout::eTransferDstOptimal;
+    const vk::ImageSubresourceLayers colour(vk::ImageAspectFlagBits::eColor, 0, 0, 1);
+    const vk::ImageResolve all(colour, {0, 0, 0}, colour, {0, 0, 0}, {t.width, t.height, 1});
+    const vk::raii::CommandBuffer& list = impl_->begin();
+    impl_->relayout(t.many, drawn_into, from);
+    impl_->relayout(t.pixels, Layout::eUndefined, to);
+    impl_->timed("resolve", Stage::eTransfer,
+                 [&] { list.resolveImage(*t.many.handle, from, *t.pixels.handle, to, all); });
+    impl_->relayout(t.many, from, drawn_into);
+    impl_->relayout(t.pixels, to, drawn_into);
 }
 
 void Commands::copy(const Target& target, const Buffer& buffer) {
     const Target::Impl& t = target.impl();
-    assert(buffer.bytes() >= sizeof(float) * t.width * t.height);
+    assert(buffer.bytes() >= target.bytes());
     const vk::BufferImageCopy all(0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {0, 0, 0},
                                   {t.width, t.height, 1});
     const vk::raii::CommandBuffer& list = impl_->begin();
-    impl_->relayout(target, Layout::eColorAttachmentOptimal, Layout::eTransferSrcOptimal);
-    list.copyImageToBuffer(*t.image, Layout::eTransferSrcOptimal, *buffer.impl().main.handle, all);
-    impl_->relayout(target, Layout::eTransferSrcOptimal, Layout::eColorAttachmentOptimal);
+    impl_->relayout(t.pixels, drawn_into, Layout::eTransferSrcOptimal);
+    list.copyImageToBuffer(*t.pixels.handle, Layout::eTransferSrcOptimal, *buffer.impl().main.handle, all);
+    impl_->relayout(t.pixels, Layout::eTransferSrcOptimal, drawn_into);
     impl_->barrier();
 }
 

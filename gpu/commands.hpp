@@ -20,7 +20,7 @@ namespace waterlight::gpu {
 /// turn away those beyond.
 using Extent = std::array<std::uint32_t, 3>;
 
-/// What a raster pass draws: so many strips of triangles, each of so many vertices.
+/// What a raster pass draws: so many instances (strips of triangles, or lists of them), each of so many vertices.
 struct Strips {
     std::uint32_t count = 0;
     std::uint32_t vertices = 0;
@@ -55,14 +55,16 @@ class Commands {
     /// The same for a pass without push constants.
     void dispatch(const Pass& pass, Extent extent) { dispatch_bytes(pass, extent, {}); }
 
-    /// Sets every pixel to zero; once before the first draw into it.
+    /// Sets every pixel, sample and depth to zero; once before the first draw into it.
     void clear(const Target& target);
-    /// Draws strips, adding them to the target; `parameters` as those of dispatch().
+    /// Draws into the target, whose format and samples are those of the pass; `parameters` as those of dispatch().
     template <class Parameters>
     void draw(const Raster& raster, const Target& target, Strips strips, const Parameters& parameters) {
         static_assert(std::is_trivially_copyable_v<Parameters>);
         draw_bytes(raster, target, strips, std::as_bytes(std::span(&parameters, 1)));
     }
+    /// Makes of each pixel the mean of its samples; nothing where it has one.
+    void resolve(const Target& target);
     /// Copies the pixels, row after row, to the start of a buffer that has room for them.
     void copy(const Target& target, const Buffer& buffer);
 

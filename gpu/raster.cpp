@@ -13,11 +13,22 @@ namespace {
 
 using Stage = vk::ShaderStageFlagBits;
 
-void require_drawing(const Context& context) {
-    const std::vector<std::string> reasons = drawing_rejections(context.device());
-    if (!reasons.empty())
-        throw Error(fmt::format("the Vulkan device {} {}, so it cannot draw; --backend cpu can", context.device().name,
-                                fmt::join(reasons, " and ")));
+vk::PrimitiveTopology topology_of(Topology topology) {
+    return topology == Topology::strip ? vk::PrimitiveTopology::eTriangleStrip : vk::PrimitiveTopology::eTriangleList;
+}
+
+vk::PipelineColorBlendAttachmentState blend_of(const RasterSettings& settings) {
+    using Factor = vk::BlendFactor;
+    using Part = vk::ColorComponentFlagBits;
+    const vk::ColorComponentFlags all =
+        settings.format == Format::r32f ? vk::ColorComponentFlags(Part::eR) : Part::eR | Part::eG | Part::eB | Part::eA;
+    if (settings.blend == Blend::replace) return vk::PipelineColorBlendAttachmentState().setColorWriteMask(all);
+    const Factor kept = settings.blend == Blend::add ? Factor::eOne : Factor::eOneMinusSrcAlpha;
+    return {true, Factor::eOne, kept, vk::BlendOp::eAdd, Factor::eOne, kept, vk::BlendOp::eAdd, all};
+}
+
+vk::PipelineDepthStencilStateCreateInfo depth_of(Depth depth) {
+    return {{}, depth != Depth::none, depth == Depth::test_and_set, vk::CompareOp::eGreaterOrEqual};
 }
 
 vk::raii::Pipeline make_pipeline(const vk::raii::Device& device, const RasterSettings& settings,
@@ -32,71 +43,40 @@ vk::raii::Pipeline make_pipeline(const vk::raii::Device& device, const RasterSet
     };
     const vk::raii::ShaderModule vertex = module(settings.vertex_spirv), fragment = module(settings.fragment_spirv);
     const std::array<vk::PipelineShaderStageCreateInfo, 2> stages{
-        vk::PipelineShaderStageCreateInfo({}, Stage::eVertex, *vertex, "main"),
+        vk::PipelineShaderStageCreateInfo({}, Stage::eVertex, *vertex, "main", &constants),
         vk::PipelineShaderStageCreateInfo({}, Stage::eFragment, *fragment, "main", &constants)};
     const vk::PipelineVertexInputStateCreateInfo pulled;
-    const vk::PipelineInputAssemblyStateCreateInfo strips({}, vk::PrimitiveTopology::eTriangleStrip);
+    const vk::PipelineInputAssemblyStateCreateInfo assembly({}, topology_of(settings.topology));
     const vk::PipelineViewportStateCreateInfo viewport({}, 1, nullptr, 1, nullptr);
     const vk::PipelineRasterizationStateCreateInfo filled({}, false, false, vk::PolygonMode::eFill,
                                                           vk::CullModeFlagBits::eNone, vk::FrontFace::eCounterClockwise,
                                                           false, 0, 0, 0, 1);
-    const vk::PipelineMultisampleStateCreateInfo one_sample;
-    const vk::PipelineColorBlendAttachmentState added(true, vk::BlendFactor::eOne, vk::BlendFactor::eOne,
-                                                      vk::BlendOp::eAdd, vk::BlendFactor::eOne, vk::BlendFactor::eOne,
-                                                      vk::BlendOp::eAdd, vk::ColorComponentFlagBits::eR);
-    const vk::PipelineColorBlendStateCreateInfo blend({}, false, vk::LogicOp::eCopy, added);
+    const vk::PipelineMultisampleStateCreateInfo multisample({}, sample_bit(settings.samples));
+    const vk::PipelineDepthStencilStateCreateInfo depth = depth_of(settings.depth);
+    const vk::PipelineColorBlendAttachmentState blended = blend_of(settings);
+    const vk::PipelineColorBlendStateCreateInfo blend({}, false, vk::LogicOp::eCopy, blended);
     const std::array<vk::DynamicState, 2> varying{vk::DynamicState::eViewport, vk::DynamicState::eScissor};
     const vk::PipelineDynamicStateCreateInfo dynamic({}, varying);
-    vk::GraphicsPipelineCreateInfo info({}, stages, &pulled, &strips, nullptr, &viewport, &filled, &one_sample, nullptr,
-                                        &blend, &dynamic, layout);
-    const vk::PipelineRenderingCreateInfo rendering(0, target_format);
+    vk::GraphicsPipelineCreateInfo info({}, stages, &pulled, &assembly, nullptr, &viewport, &filled, &multisample,
+                                        &depth, &blend, &dynamic, layout);
+    const vk::Format colour = vulkan_format(settings.format);
+    vk::PipelineRenderingCreateInfo rendering(0, colour);
+    if (settings.depth != Depth::none) rendering.setDepthAttachmentFormat(depth_format);
     info.setPNext(&rendering);
     return {device, nullptr, info};
 }
 
 }  // namespace
 
-Target::Target(std::shared_ptr<Context> context, std::uint32_t width, std::uint32_t height)
-    : impl_(std::make_unique<Impl>()) {
-    assert(width > 0 && height > 0);
-    require_drawing(*context);
-    const std::uint32_t most = context->device().largest_target;
-    if (std::max(width, height) > most)
-        throw Error(fmt::format("a picture of {} x {} pixels is more than the {} x {} that {} draws into", width,
-                                height, most, most, context->device().name));
-    impl_->width = width;
-    impl_->height = height;
-    attempt(fmt::format("make a picture of {} x {} pixels on {}", width, height, context->device().name), [&] {
-        const Context::Impl& c = context->impl();
-        using Usage = vk::ImageUsageFlagBits;
-        impl_->image = {c.device,
-                        vk::ImageCreateInfo({}, vk::ImageType::e2D, target_format, {width, height, 1}, 1, 1,
-                                            vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal,
-                                            Usage::eColorAttachment | Usage::eTransferSrc | Usage::eTransferDst)};
-        const vk::MemoryRequirements needs = impl_->image.getMemoryRequirements();
-        const std::uint32_t type = c.memory_type(needs.memoryTypeBits, {vk::MemoryPropertyFlagBits::eDeviceLocal, {}});
-        impl_->memory = {c.device, vk::MemoryAllocateInfo(needs.size, type)};
-        impl_->image.bindMemory(*impl_->memory, 0);
-        impl_->view = {c.device, vk::ImageViewCreateInfo({}, *impl_->image, vk::ImageViewType::e2D, target_format, {},
-                                                         Impl::whole)};
-    });
-    impl_->context = std::move(context);
-}
-
-Target::~Target() = default;
-Target::Target(Target&&) noexcept = default;
-Target& Target::operator=(Target&&) noexcept = default;
-
-std::uint32_t Target::width() const { return impl_->width; }
-std::uint32_t Target::height() const { return impl_->height; }
-
 Raster::Raster(std::shared_ptr<Context> context, const RasterSettings& settings) : impl_(std::make_unique<Impl>()) {
     require_drawing(*context);
     impl_->name = settings.name;
+    impl_->depth = settings.depth;
     impl_->context = std::move(context);
     attempt("build the pass " + settings.name, [&] {
         const vk::raii::Device& device = impl_->context->impl().device;
-        impl_->binding = Binding(device, settings.buffers, settings.push_bytes, Stage::eVertex | Stage::eFragment);
+        impl_->binding =
+            Binding(device, settings.buffers, settings.push_bytes, Stage::eVertex | Stage::eFragment, settings.targets);
         impl_->pipeline = make_pipeline(device, settings, *impl_->binding.layout);
     });
 }
@@ -105,8 +85,9 @@ Raster::~Raster() = default;
 Raster::Raster(Raster&&) noexcept = default;
 Raster& Raster::operator=(Raster&&) noexcept = default;
 
-void Raster::bind(std::initializer_list<const Buffer*> buffers) {
-    impl_->binding.bind(impl_->context->impl().device, buffers);
+void Raster::bind(std::initializer_list<const Buffer*> buffers, std::initializer_list<const Target*> targets) {
+    impl_->binding.bind(impl_->context->impl().device, buffers, targets);
+    impl_->read.assign(targets);
 }
 
 }  // namespace waterlight::gpu

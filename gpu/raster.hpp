@@ -1,6 +1,7 @@
-// A raster pass: draws triangles into a target of floats, each fragment added to what is there.
+// A raster pass: draws triangles into a target, each fragment blended with what is there.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
@@ -13,18 +14,32 @@
 
 namespace waterlight::gpu {
 
-/// A picture of 32-bit floats, one a pixel. Row 0 is the one of the smallest y.
+/// Of a pixel: one or four numbers, 32-bit or 16-bit floats, or bytes that stand for [0, 1].
+enum class Format { r32f, rgba16f, rgba32f, rgba8 };
+
+struct TargetSettings {
+    Format format = Format::r32f;
+    std::uint32_t samples = 1;  ///< of a pixel: 1, 2, 4 or 8; where the device has fewer, its most
+    bool depth = false;         ///< whether it has depths (32-bit floats) beside its colours
+};
+
+/// A picture. Row 0 is the one of the smallest y. Of several samples a pixel, draws go into the samples, and what is
+/// copied, read and presented are the pixels that Commands::resolve() makes of them.
 class Target {
   public:
-    /// Sides >= 1. The contents are undefined at first. Throws Error where the device cannot draw into floats, or not
-    /// into so many.
-    Target(std::shared_ptr<Context> context, std::uint32_t width, std::uint32_t height);
+    /// Sides >= 1. The contents are undefined at first. Throws Error where the device cannot draw into such pixels, or
+    /// not into so many.
+    Target(std::shared_ptr<Context> context, std::uint32_t width, std::uint32_t height,
+           const TargetSettings& settings = {});
     ~Target();
     Target(Target&&) noexcept;
     Target& operator=(Target&&) noexcept;
 
     std::uint32_t width() const;
     std::uint32_t height() const;
+    Format format() const;
+    std::uint32_t samples() const;  ///< as made
+    std::size_t bytes() const;      ///< of all pixels
 
     struct Impl;
     const Impl& impl() const { return *impl_; }
@@ -33,29 +48,56 @@ class Target {
     std::unique_ptr<Impl> impl_;
 };
 
-/// The layout of a raster pass: storage buffers at set 0, bindings 0, 1, ..., which its shaders only read, and one
-/// block of push constants, seen by both shaders. Vertices are pulled from the buffers by gl_VertexIndex and
-/// gl_InstanceIndex; each instance is a strip of triangles, either way round. The fragment shader's output 0 is a
-/// float. Fragments of one draw are added in the order of instances.
+/// What of a draw's vertices makes triangles.
+enum class Topology {
+    strip,     ///< each instance a strip, either way round
+    triangles  ///< each three vertices one
+};
+
+/// What becomes of a fragment, colour by colour.
+enum class Blend {
+    add,      ///< added to what is there
+    replace,  ///< in its place
+    over      ///< added to (1 - its alpha) of what is there
+};
+
+/// Depths grow towards the eye: 0 is farthest, and what clear() leaves.
+enum class Depth {
+    none,         ///< not looked at
+    test,         ///< fragments nearer than what is there, or as near, are drawn
+    test_and_set  ///< and their depth is kept
+};
+
+/// The layout of a raster pass: storage buffers at set 0, bindings 0, 1, ..., then the targets that it reads as
+/// `texture2D`, and one block of push constants; its shaders only read, and both see all. Vertices are pulled from the
+/// buffers by gl_VertexIndex and gl_InstanceIndex. The fragment shader's output 0 is a pixel of the target's format.
+/// Fragments of one draw are blended in the order of instances.
 struct RasterSettings {
     std::string name;                             ///< for errors and timings
     std::span<const std::uint32_t> vertex_spirv;  ///< entry point "main"; both must outlive the pass
     std::span<const std::uint32_t> fragment_spirv;
-    std::uint32_t buffers = 0;               ///< how many
+    std::uint32_t buffers = 0;               ///< how many, >= 1
     std::uint32_t push_bytes = 0;            ///< a multiple of 4, at most 128
-    std::vector<std::uint32_t> constants{};  ///< specialisation constants 0, 1, ... of the fragment shader
+    std::vector<std::uint32_t> constants{};  ///< specialisation constants 0, 1, ... of both shaders
+    std::uint32_t targets = 0;               ///< how many are read
+    Topology topology = Topology::strip;
+    Blend blend = Blend::add;
+    Depth depth = Depth::none;
+    Format format = Format::r32f;  ///< of what it draws into
+    std::uint32_t samples = 1;     ///< of the same, as Target::samples() says
 };
 
 class Raster {
   public:
-    /// Throws Error where the device cannot draw into floats or the driver refuses a shader.
+    /// Throws Error where the device cannot draw so or the driver refuses a shader.
     Raster(std::shared_ptr<Context> context, const RasterSettings& settings);
     ~Raster();
     Raster(Raster&&) noexcept;
     Raster& operator=(Raster&&) noexcept;
 
-    /// The buffers of bindings 0, 1, ..., all of them. They must outlive their use. Not while commands run that use it.
-    void bind(std::initializer_list<const Buffer*> buffers);
+    /// The buffers of bindings 0, 1, ..., all of them, then the targets. They must outlive their use. Not while
+    /// commands run that use it.
+    void bind(std::initializer_list<const Buffer*> buffers, std::initializer_list<const Target*> targets = {});
 
     struct Impl;
     const Impl& impl() const { return *impl_; }

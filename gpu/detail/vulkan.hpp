@@ -92,9 +92,11 @@ struct Buffer::Impl {
     bool staged() const { return *staging.handle != vk::Buffer(); }
 };
 
-/// The storage buffers of a pass at set 0, bindings 0, 1, ..., and its block of push constants.
+/// The storage buffers of a pass at set 0, bindings 0, 1, ..., then the pictures it reads, and its block of push
+/// constants.
 struct Binding {
     std::uint32_t buffers = 0;
+    std::uint32_t targets = 0;
     std::uint32_t push_bytes = 0;
     vk::ShaderStageFlags stages;
     vk::raii::DescriptorSetLayout set_layout{nullptr};
@@ -104,8 +106,9 @@ struct Binding {
 
     Binding() = default;
     Binding(const vk::raii::Device& device, std::uint32_t buffer_count, std::uint32_t bytes_pushed,
-            vk::ShaderStageFlags used_in);
-    void bind(const vk::raii::Device& device, std::initializer_list<const Buffer*> all) const;
+            vk::ShaderStageFlags used_in, std::uint32_t target_count = 0);
+    void bind(const vk::raii::Device& device, std::initializer_list<const Buffer*> all,
+              std::initializer_list<const Target*> read = {}) const;
     void use(const vk::raii::CommandBuffer& list, vk::PipelineBindPoint point,
              std::span<const std::byte> parameters) const;
 };
@@ -118,21 +121,45 @@ struct Pass::Impl {
 };
 
 constexpr vk::Format target_format = vk::Format::eR32Sfloat;
+constexpr vk::Format depth_format = vk::Format::eD32Sfloat;
 
+vk::Format vulkan_format(Format format);
+
+/// Throws gpu::Error where the device cannot draw.
+void require_drawing(const Context& context);
+
+/// Of 1, 2, 4 or 8 samples: their bit is their number.
+inline vk::SampleCountFlagBits sample_bit(std::uint32_t samples) { return vk::SampleCountFlagBits(samples); }
+
+struct Image {
+    vk::raii::DeviceMemory memory{nullptr};  // freed after the image that lies in it
+    vk::raii::Image handle{nullptr};
+    vk::raii::ImageView view{nullptr};
+    vk::ImageSubresourceRange range;
+
+    explicit operator bool() const { return *handle != vk::Image(); }
+};
+
+/// Between entries of a list each image is ready to be drawn into.
 struct Target::Impl {
-    static constexpr vk::ImageSubresourceRange whole{vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1};
     std::shared_ptr<Context> context;
     std::uint32_t width = 0;
     std::uint32_t height = 0;
-    vk::raii::DeviceMemory memory{nullptr};  // freed after the image that lies in it
-    vk::raii::Image image{nullptr};          // between entries of a list ready to be drawn into
-    vk::raii::ImageView view{nullptr};
+    Format format = Format::r32f;
+    std::uint32_t samples = 1;
+    Image pixels;
+    Image many;   // of several samples a pixel; else empty
+    Image depth;  // of so many samples, if wanted
+
+    const Image& drawn() const { return many ? many : pixels; }
 };
 
 struct Raster::Impl {
     std::shared_ptr<Context> context;
     std::string name;
+    Depth depth = Depth::none;
     Binding binding;
+    std::vector<const Target*> read;
     vk::raii::Pipeline pipeline{nullptr};
 };
 
