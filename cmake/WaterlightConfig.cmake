@@ -10,7 +10,7 @@ foreach(library IN LISTS libraries)
 endforeach()
 
 install(TARGETS ${libraries} EXPORT waterlightTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-foreach(folder IN ITEMS gpu sim caustics export scenarios test_kit)
+foreach(folder IN ITEMS gpu sim caustics export render scenarios test_kit)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/waterlight
         FILES_MATCHING PATTERN "*.hpp" PATTERN "kernels/*.glsl"

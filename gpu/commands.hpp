@@ -63,6 +63,8 @@ class Commands {
         static_assert(std::is_trivially_copyable_v<Parameters>);
         draw_bytes(raster, target, strips, std::as_bytes(std::span(&parameters, 1)));
     }
+    /// The same for a pass without push constants.
+    void draw(const Raster& raster, const Target& target, Strips strips) { draw_bytes(raster, target, strips, {}); }
     /// Makes of each pixel the mean of its samples; nothing where it has one.
     void resolve(const Target& target);
     /// Copies the pixels, row after row, to the start of a buffer that has room for them.

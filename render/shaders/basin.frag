@@ -1,0 +1,67 @@
+// Floor, walls and deck as they are seen directly.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+
+#include "render/shaders/includes.glsl"
+#include "render/shaders/light.glsl"
+#include "render/shaders/water.glsl"
+#include "render/shaders/surface_cells.glsl"
+
+layout(location = 0) flat in int part;
+layout(location = 0) out vec4 drawn;
+
+vec3 sky_irradiance() { return vec3(s.sky_r, s.sky_g, s.sky_b); }
+
+// A wall above the water: the sun, half of the sky, and half of what comes up from the water.
+vec3 dry_wall(int wall, vec3 place, vec2 widths) {
+    float along = wall < 2 ? place.y - s.y0 : place.x - s.x0;
+    float sun = s.sun_irradiance * max(0, dot(wall_inward(wall), to_sun()));
+    vec3 up = vec3(ambient_from_water(s.sky_r, s.up_r, s.r_ext, s.r_int),
+                   ambient_from_water(s.sky_g, s.up_g, s.r_ext, s.r_int),
+                   ambient_from_water(s.sky_b, s.up_b, s.r_ext, s.r_int));
+    vec3 albedo = vec3(s.wall_r, s.wall_g, s.wall_b) * finish(wall_pattern, vec2(along, place.z), widths, s.wall_side);
+    return albedo * (sun + 0.5 * (sky_irradiance() + up)) * (1 / pi);
+}
+
+vec3 deck(vec3 place, vec2 widths) {
+    vec3 albedo = vec3(s.deck_r, s.deck_g, s.deck_b) * finish(deck_pattern, place.xy, widths, s.deck_side);
+    return albedo * (s.sun_irradiance * max(0, s.sun_z) + sky_irradiance()) * (1 / pi);
+}
+
+// The ray's parameter at the rectangle's plane.
+float plane_way(Sight a) {
+    if (p.kind == KIND_FLOOR) return (-s.depth - p.eye_z) / a.r.z;
+    if (p.kind == KIND_DECK) return (s.freeboard - p.eye_z) / a.r.z;
+    return part < 2 ? ((part == 0 ? s.x0 : s.x1) - p.eye_x) / a.r.x : ((part == 2 ? s.y0 : s.y1) - p.eye_y) / a.r.y;
+}
+
+// Whether a place on a wall is above the water. To a camera inside the water hides all that is.
+bool is_dry(vec3 place) {
+    if (in_water && !outside) return false;
+    vec2 u = (wrapped(place.xy) - vec2(s.x0, s.y0)) / vec2(s.cell_x, s.cell_y);
+    return !in_water || place.z > elevation_at(cells_around(u));
+}
+
+void main() {
+    Sight a = sight(gl_FragCoord.xy);
+    float t = clamp(plane_way(a), p.near, 1e6);
+    vec3 place = eye() + t * a.r;
+    float width = t * pixel_width();
+    vec2 across = width * vec2(1, 1 / max(abs(a.d.z), 0.02));  // of a horizontal plane, in any direction at most
+    if (p.kind == KIND_DECK) {
+        drawn = exposed(deck(place, min(fwidth(place.xy), across.yy)));
+        return;
+    }
+    vec3 radiance;
+    if (p.kind == KIND_FLOOR) {
+        radiance = floor_radiance(place, width, min(fwidth(place.xy), across.yy));
+    } else {
+        vec2 widths = vec2(fwidth(wallwards(part, place)), fwidth(place.z));
+        if (is_dry(place)) {
+            drawn = exposed(dry_wall(part, place, widths));
+            return;
+        }
+        radiance = wall_radiance(part, place, widths);
+    }
+    drawn = exposed(through_water(radiance, a.d, t * a.metres));
+}

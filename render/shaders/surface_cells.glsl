@@ -1,0 +1,45 @@
+// Look-up of the surface's fields: a level of them has a margin of one cell, in which the sides are already told.
+
+struct CellsAround {
+    int low;     // index of the cell of least x and y
+    int stride;
+    vec2 weight;
+};
+
+// `u` in cells of the finest level from the domain's corner.
+CellsAround cells_around(vec2 u) {
+    vec2 at = clamp(u / p.level_scale + 0.5, vec2(0), vec2(p.level_nx, p.level_ny) + 0.999);
+    vec2 low = floor(at);
+    CellsAround c;
+    c.stride = p.level_nx + 2;
+    c.low = p.level_offset + int(low.y) * c.stride + int(low.x);
+    c.weight = at - low;
+    return c;
+}
+
+float elevation_at(CellsAround c) {
+    return bilinear(surface_cells[c.low].w, surface_cells[c.low + 1].w, surface_cells[c.low + c.stride].w,
+                    surface_cells[c.low + c.stride + 1].w, c.weight.x, c.weight.y);
+}
+
+struct Slopes {
+    vec2 mean;
+    float variance;  // per axis, of what is spread within the footprint
+};
+
+// `along` and `across` are the semi-axes of the footprint, m.
+Slopes slopes_at(CellsAround c, vec2 along, vec2 across) {
+    vec3 a = surface_cells[c.low].xyz, b = surface_cells[c.low + 1].xyz;
+    vec3 e = surface_cells[c.low + c.stride].xyz, f = surface_cells[c.low + c.stride + 1].xyz;
+    vec3 low = a + c.weight.x * (b - a), high = e + c.weight.x * (f - e);
+    vec3 here = low + c.weight.y * (high - low);
+    Slopes slopes;
+    slopes.mean = here.xy;
+    // A slope that changes evenly over the footprint's width 2 w has the variance w^2 / 3 times its change squared.
+    vec2 per_x = ((b - a).xy + c.weight.y * ((f - e) - (b - a)).xy) / (s.cell_x * p.level_scale);
+    vec2 per_y = (high - low).xy / (s.cell_y * p.level_scale);
+    vec2 change_along = per_x * along.x + per_y * along.y, change_across = per_x * across.x + per_y * across.y;
+    float spread = (dot(change_along, change_along) + dot(change_across, change_across)) / 6;
+    slopes.variance = min(spread, s.mean_variance) + (coarse ? here.z : 0);
+    return slopes;
+}

@@ -1,0 +1,141 @@
+// The way of sight through the water, to what it meets there.
+
+vec3 sight_extinction() { return vec3(s.sight_r, s.sight_g, s.sight_b); }
+
+struct Meeting {
+    float way;  // metres to it
+    int wall;   // 0 to 3; -1: the floor or ground
+};
+
+float ground_at(vec2 place) {
+    vec2 home = wrapped(place);
+    vec2 at = (home - vec2(s.x0, s.y0)) / vec2(s.cell_x, s.cell_y) + 0.5;
+    at = clamp(at, vec2(0), vec2(s.ground_nx, s.ground_ny) + 0.999);
+    vec2 low = floor(at), w = at - low;
+    int stride = s.ground_nx + 2, k = int(low.y) * stride + int(low.x);
+    return bilinear(ground[k], ground[k + 1], ground[k + stride], ground[k + stride + 1], w.x, w.y);
+}
+
+// The first ground on the way from `from` along d within `end` metres: steps, then bisection.
+float ground_way(vec3 from, vec3 d, float end) {
+    const int steps = 12, halvings = 6;
+    float begin = d.z < 0 ? max(0, (s.ground_high - from.z) / d.z) : 0;
+    end = min(end, d.z < 0 ? (s.ground_low - from.z) / d.z : far_away);
+    float low = begin, high = end, step = (end - begin) / steps;
+    bool met = false;
+    for (int k = 1; k <= steps && !met; ++k) {
+        float t = begin + k * step;
+        met = from.z + t * d.z <= ground_at(from.xy + t * d.xy);
+        low = met ? low : t;
+        high = t;
+    }
+    for (int k = 0; k < halvings; ++k) {
+        float t = 0.5 * (low + high);
+        bool below = from.z + t * d.z <= ground_at(from.xy + t * d.xy);
+        high = below ? t : high;
+        low = below ? low : t;
+    }
+    return met ? 0.5 * (low + high) : end;
+}
+
+Meeting meet(vec3 from, vec3 d) {
+    Meeting m;
+    m.wall = -1;
+    m.way = d.z < -1e-5 ? max(0, (-s.depth - from.z) / d.z) : far_away;
+    if (wall_x) {
+        float t = ((d.x > 0 ? s.x1 : s.x0) - from.x) / (abs(d.x) > 1e-6 ? d.x : 1e-6);
+        if (t < m.way) m.wall = d.x > 0 ? 1 : 0;
+        m.way = min(m.way, t);
+    }
+    if (wall_y) {
+        float t = ((d.y > 0 ? s.y1 : s.y0) - from.y) / (abs(d.y) > 1e-6 ? d.y : 1e-6);
+        if (t < m.way) m.wall = d.y > 0 ? 3 : 2;
+        m.way = min(m.way, t);
+    }
+    m.way = max(m.way, 0);
+    if (uneven) {
+        float t = ground_way(from, d, m.way);
+        if (t < m.way) m.wall = -1;
+        m.way = min(t, m.way);
+    }
+    return m;
+}
+
+float phase_at(float cosine) {
+    PhaseNode node = phase_node(cosine);
+    return medium[node.index] + node.part * (medium[node.index + 1] - medium[node.index]);
+}
+
+float volume_at(vec3 place) {
+    vec2 home = wrapped(place.xy);
+    vec2 at = (home - vec2(s.x0, s.y0)) / vec2(s.x1 - s.x0, s.y1 - s.y0) * vec2(s.volume_nx, s.volume_ny) - 0.5;
+    vec2 low = floor(at), w = at - low;
+    ivec2 most = ivec2(s.volume_nx, s.volume_ny) - 1;
+    ivec2 i0 = ivec2(low), i1 = i0 + 1;
+    i0 = wraps_x || wraps_y ? ivec2(mod(vec2(i0), vec2(most + 1))) : i0;
+    i1 = wraps_x || wraps_y ? ivec2(mod(vec2(i1), vec2(most + 1))) : i1;
+    i0 = clamp(i0, ivec2(0), most);
+    i1 = clamp(i1, ivec2(0), most);
+    int k = clamp(int((place.z / s.volume_depth + 1) * s.volume_nz), 0, s.volume_nz - 1);
+    int slice = s.volume_offset + k * s.volume_nx * s.volume_ny;
+    return bilinear(medium[slice + i0.y * s.volume_nx + i0.x], medium[slice + i0.y * s.volume_nx + i1.x],
+                    medium[slice + i1.y * s.volume_nx + i0.x], medium[slice + i1.y * s.volume_nx + i1.x], w.x, w.y);
+}
+
+// Light of the sun that the water scatters once towards the eye on the way from `from` along d.
+vec3 scattered(vec3 from, vec3 d, float way) {
+    if (scatter == SCATTER_NONE) return vec3(0);
+    vec3 sunlight = vec3(s.travel_x, s.travel_y, -1) / s.path;
+    float strength = s.scattering * phase_at(-dot(sunlight, d));
+    vec3 c = sight_extinction();
+    float depth = max(0, -from.z);
+    if (scatter == SCATTER_FLAT) {
+        vec3 light = s.entering * s.path * exp(-(s.extinction + colours()) * s.path * depth);
+        vec3 rise = -(s.extinction + colours()) * s.path * d.z;
+        return strength * light *
+               vec3(scattered_once(c.r, rise.r, way), scattered_once(c.g, rise.g, way), scattered_once(c.b, rise.b, way));
+    }
+    const int parts = 5;
+    float step = way / parts;
+    vec3 sum = vec3(0);
+    for (int k = 0; k < parts; ++k) {
+        float t = (k + 0.5) * step;
+        vec3 at = from + t * d;
+        sum += volume_at(at) * exp(-c * t - colours() * s.path * max(0, -at.z));
+    }
+    return strength * step * sum;
+}
+
+float wallwards(int wall, vec3 place) { return wall < 2 ? place.y : place.x; }
+
+// Radiance that arrives at `from` along the way d, from what is met there and from the water between.
+vec3 seen_in_water(vec3 from, vec3 d, float width) {
+    Meeting m = meet(from, d);
+    vec3 place = from + m.way * d;
+    width += m.way * pixel_width() * (1 / s.index);
+    vec3 seen = vec3(0);
+    vec2 on_floor = fwidth(place.xy);
+    vec2 on_wall = vec2(fwidth(wallwards(m.wall, place)), fwidth(place.z));
+    bool floor_met = m.wall < 0;
+    seen = floor_met ? floor_radiance(place, width, on_floor) : vec3(0);
+    if (wall_x || wall_y) seen = floor_met ? seen : wall_radiance(m.wall, place, on_wall);
+    if (overlay == OVERLAY_FLOOR || overlay == OVERLAY_ERROR) return seen;
+    return seen * exp(-sight_extinction() * m.way) + scattered(from, d, m.way);
+}
+
+// Metres of sight in the air beside a pool, before it enters the water.
+float entry_way(vec3 d) {
+    float t = 0;
+    if (!outside) return t;
+    if (wall_x) t = max(t, ((d.x > 0 ? s.x0 : s.x1) - p.eye_x) / (abs(d.x) > 1e-6 ? d.x : 1e-6));
+    if (wall_y) t = max(t, ((d.y > 0 ? s.y0 : s.y1) - p.eye_y) / (abs(d.y) > 1e-6 ? d.y : 1e-6));
+    return t;
+}
+
+// What is left at the eye of radiance from `way` metres off, for a camera in the water; what the water adds comes too.
+vec3 through_water(vec3 radiance, vec3 d, float way) {
+    if (!in_water) return radiance;
+    float entry = min(entry_way(d), way);
+    vec3 from = eye() + entry * d;
+    return radiance * exp(-sight_extinction() * (way - entry)) + scattered(from, d, way - entry);
+}

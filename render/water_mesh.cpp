@@ -1,0 +1,152 @@
+#include "render/water_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace waterlight {
+
+namespace {
+
+constexpr double copies_m = 160;  // to where the domain is repeated
+constexpr int most_copies = 10;   // each way along an axis
+constexpr double horizon_m = 3e4;
+constexpr double nearest_m = 0.2;  // for which a mesh is planned
+
+struct Spans {
+    int first = 0, last = 0;
+};
+
+Spans spans(Side side, double from, double extent, double eye) {
+    if (side != Side::periodic) return {};
+    const int home = static_cast<int>(std::floor((eye - from) / extent));
+    const int each = std::clamp(static_cast<int>(std::ceil(copies_m / extent)), 1, most_copies);
+    return {home - each, home + each};
+}
+
+/// A copy of the domain as a box around its water.
+struct Box {
+    glm::dvec3 low, high;
+};
+
+double distance_to(const Box& box, glm::dvec3 eye) {
+    return glm::length(glm::max(glm::max(box.low - eye, eye - box.high), glm::dvec3(0)));
+}
+
+/// Whether some of the box may be in the picture: not all corners are beyond one of its edges, or behind the eye.
+bool in_sight(const Box& box, const PassParameters& v) {
+    std::array<int, 5> beyond{};
+    for (int k = 0; k < 8; ++k) {
+        const glm::dvec3 at{(k & 1) != 0 ? box.high.x : box.low.x, (k & 2) != 0 ? box.high.y : box.low.y,
+                            (k & 4) != 0 ? box.high.z : box.low.z};
+        const glm::dvec3 d = at - glm::dvec3{v.eye_x, v.eye_y, v.eye_z};
+        const double x = v.scale_x * glm::dot(d, glm::dvec3{v.right_x, v.right_y, v.right_z});
+        const double y = v.scale_y * glm::dot(d, glm::dvec3{v.up_x, v.up_y, v.up_z});
+        const double w = glm::dot(d, glm::dvec3{v.forward_x, v.forward_y, v.forward_z});
+        beyond[0] += x > w;
+        beyond[1] += x < -w;
+        beyond[2] += y > w;
+        beyond[3] += y < -w;
+        beyond[4] += w < 0;
+    }
+    return std::ranges::none_of(beyond, [](int corners) { return corners == 8; });
+}
+
+/// Width of a pixel per metre of distance.
+double pixel_width(const PassParameters& v) { return glm::length(glm::dvec3{v.right_x, v.right_y, v.right_z}); }
+
+/// Level of the fields whose cells the pixels at this distance are as large as, in the mean of both their axes.
+int level_at(const Frame& frame, double distance) {
+    const double height = std::abs(frame.eye().z);
+    const double stretch = std::sqrt(std::max(distance, height) / std::max(height, 0.02 * distance));
+    const double cells = pixel_width(frame.view) * distance * stretch / frame.scene.surface->grid.dx_m;
+    const int last = static_cast<int>(frame.surface.levels.size()) - 1;
+    return std::clamp(static_cast<int>(std::floor(std::log2(std::max(cells, 1.0)))), 0, last);
+}
+
+/// Spacing of a mesh, in cells, a power of 2, such that straight lines between its corners stay within half a pixel.
+int spacing_at(const Frame& frame, double distance) {
+    const Grid& g = frame.scene.surface->grid;
+    const double allowed = 0.5 * pixel_width(frame.view) * std::max(distance, nearest_m);
+    const double range = frame.surface.highest_m - frame.surface.lowest_m;
+    const auto error = [&](int cells) {
+        const double spacing = cells * std::max(g.dx_m, g.dy_m);
+        return std::min(range, frame.surface.curvature_per_m * spacing * spacing / 8);
+    };
+    int cells = 1;
+    while (2 * cells <= std::max(g.nx, g.ny) && error(2 * cells) <= allowed) cells *= 2;
+    return cells;
+}
+
+struct Detail {
+    int level;
+    int spacing;
+    auto operator<=>(const Detail&) const = default;
+};
+
+void plan_copies(const Frame& frame, Spans x, Spans y, WaterMeshes& out) {
+    const Surface& surface = *frame.scene.surface;
+    const Grid& g = surface.grid;
+    std::map<Detail, std::vector<glm::vec4>> copies;
+    for (int q = y.first; q <= y.last; ++q)
+        for (int p = x.first; p <= x.last; ++p) {
+            const glm::dvec2 to{p * g.width_m(), q * g.height_m()};
+            const double climb = glm::dot(surface.tilt, to);
+            const Box box{{g.x0_m + to.x, g.y0_m + to.y, frame.surface.lowest_m + climb},
+                          {g.x0_m + to.x + g.width_m(), g.y0_m + to.y + g.height_m(), frame.surface.highest_m + climb}};
+            if (!in_sight(box, frame.view)) continue;
+            const double distance = distance_to(box, frame.eye());
+            copies[{level_at(frame, distance), spacing_at(frame, distance)}].emplace_back(to.x, to.y, climb, 0);
+        }
+    for (const auto& [detail, shifts] : copies) {
+        const auto parts = [&](int n) { return (n + detail.spacing - 1) / detail.spacing; };
+        out.meshes.push_back({{0, 0, g.nx, g.ny},
+                              parts(g.nx),
+                              parts(g.ny),
+                              frame.surface.levels[detail.level],
+                              detail.level > 0,
+                              static_cast<int>(out.shifts.size()),
+                              static_cast<int>(shifts.size())});
+        out.shifts.insert(out.shifts.end(), shifts.begin(), shifts.end());
+    }
+}
+
+/// Four rectangles to the horizon around the copies, or as many as there are sides without walls.
+void plan_beyond(const Frame& frame, Spans x, Spans y, WaterMeshes& out) {
+    const Surface& surface = *frame.scene.surface;
+    if (surface.tilt != glm::dvec2(0, 0)) return;
+    const Grid& g = surface.grid;
+    const double cells_x = horizon_m / g.dx_m, cells_y = horizon_m / g.dy_m;
+    const bool open_x = surface.boundary.x != Side::wall, open_y = surface.boundary.y != Side::wall;
+    const double u0 = x.first * g.nx, u1 = (x.last + 1.0) * g.nx, v0 = y.first * g.ny, v1 = (y.last + 1.0) * g.ny;
+    const double far_u0 = open_x ? u0 - cells_x : u0, far_u1 = open_x ? u1 + cells_x : u1;
+    const int home = static_cast<int>(out.shifts.size());
+    out.shifts.emplace_back(0, 0, 0, 0);
+    const auto add = [&](double a, double b, double c, double d) {
+        out.meshes.push_back({{a, b, c, d}, 1, 1, frame.surface.beyond, true, home, 1});
+    };
+    if (open_x) {
+        add(far_u0, v0, u0, v1);
+        add(u1, v0, far_u1, v1);
+    }
+    if (open_y) {
+        add(far_u0, v0 - cells_y, far_u1, v0);
+        add(far_u0, v1, far_u1, v1 + cells_y);
+    }
+}
+
+}  // namespace
+
+WaterMeshes plan_water(const Frame& frame) {
+    const Surface& surface = *frame.scene.surface;
+    const Grid& g = surface.grid;
+    const Spans x = spans(surface.boundary.x, g.x0_m, g.width_m(), frame.eye().x);
+    const Spans y = spans(surface.boundary.y, g.y0_m, g.height_m(), frame.eye().y);
+    WaterMeshes planned;
+    plan_copies(frame, x, y, planned);
+    plan_beyond(frame, x, y, planned);
+    return planned;
+}
+
+}  // namespace waterlight
