@@ -39,7 +39,7 @@ double irradiance_max(const Scenario& s) {
 Look look_of(const Scenario& s) {
     Look look = s.picture.look;
     if (look.overlay == Overlay::none) return look;
-    const double high = highest(s), low = look.overlay == Overlay::elevation ? -high : 0;
+    const double high = highest(s), low = look.overlay == Overlay::irradiance ? 0 : -high;
     look.range = {s.picture.range_low.value_or(low), high};
     if (look.range.low < look.range.high) return look;
     s.origin.reject("picture.range_low", fmt::format("{}", look.range.low),

@@ -51,7 +51,7 @@ void describe_picture(Visitor& v, PictureSection& s) {
         choice(look.overlay, {"none", "elevation", "irradiance", "error"}));
     v.value({.name = "range_low",
              .meaning = "Value at the lower end of the overlay's colours, in m or W/m2.",
-             .otherwise = "of elevation -range_high, else 0"},
+             .otherwise = "of irradiance 0, else -range_high"},
             &s.range_low);
     v.value({.name = "range_high",
              .meaning = "Value at the upper end.",

@@ -92,6 +92,7 @@ TEST(ScenarioPicture, AnOverlayHasTheRangeOfTheFlatPictures) {
     EXPECT_EQ(range(map + scale + "\"irradiance\"\n").low, 0);
     EXPECT_EQ(range(map + scale + "\"irradiance\"\n").high, 1500);
     EXPECT_EQ(range(map + "[accuracy]\nestimate = true\n" + scale + "\"error\"\n").high, 150);
+    EXPECT_EQ(range(map + "[accuracy]\nestimate = true\n" + scale + "\"error\"\n").low, -150) << "it has a sign";
     EXPECT_EQ(range(scale + "\"elevation\"\nrange_low = -0.1\nrange_high = 0.3\n").high, 0.3);
     EXPECT_EQ(range(scale + "\"elevation\"\nrange_high = 0.3\n").low, -0.3);
     // 1000 W/m2 from overhead, less what the surface reflects.
