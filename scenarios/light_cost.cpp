@@ -65,4 +65,10 @@ double light_seconds(const Scenario& s, const LightDemand& light, glm::ivec2 cel
     return seconds + moments * 2 * product(light.beams) * costs::beam_frame + frames * water_seconds(s, light.beams);
 }
 
+double scene_seconds(const Scenario& s) {
+    if (!s.output.image) return 0;
+    const double pixel = costs::scene_pixel_frame + s.picture.look.samples * costs::scene_sample_frame;
+    return frames_of_run(s) * (costs::scene_frame + product(s.camera->camera.size) * pixel);
+}
+
 }  // namespace waterlight

@@ -49,8 +49,9 @@ constexpr double strip_pixel = 5 * 4;
 // Of walls: the map, its power in double precision, what lands on it in lists, four that wait and their colours.
 constexpr double wall_pixel = 60;
 
-// Of a picture of the scene: the device's own targets, by pixel and by sample of it; eight bits of three colours, four
-// of those that wait to be written and one at work.
+// Of a picture of the scene: the device's programs; its targets, by pixel and by sample of it; eight bits of three
+// colours, four of those that wait to be written and one at work.
+constexpr double scene_device = 64e6;
 constexpr double scene_sample = 4 * 4 + 4;
 constexpr double scene_pixel = 4 * 4 + 4 + 4 + 5 * 3;
 
@@ -110,7 +111,7 @@ double bytes_of_walls(const Scenario& s) {
 }
 
 double bytes_of_scene(const Scenario& s) {
-    return product(s.camera->camera.size) * (scene_pixel + scene_sample * s.picture.look.samples);
+    return scene_device + product(s.camera->camera.size) * (scene_pixel + scene_sample * s.picture.look.samples);
 }
 
 std::string in_gib(double bytes) { return fmt::format("{:.3g} GiB", bytes / (1 << 30)); }

@@ -12,3 +12,5 @@ add_dependencies(pictures_test waterlight)
 add_test(NAME picture_references COMMAND /usr/bin/python3 ${CMAKE_CURRENT_LIST_DIR}/scenarios/picture_references.py
     $<TARGET_FILE:waterlight> ${PROJECT_SOURCE_DIR})
 set_tests_properties(picture_references PROPERTIES TIMEOUT 600 SKIP_RETURN_CODE 77)
+
+waterlight_test(render_overlay_test SOURCES laws/render_overlay.cpp LIBRARIES waterlight::render)
