@@ -9,11 +9,17 @@ namespace {
 
 using Type = vk::DescriptorType;
 
-vk::raii::DescriptorSetLayout make_set_layout(const vk::raii::Device& device, std::uint32_t buffers,
-                                              std::uint32_t targets, vk::ShaderStageFlags stages) {
+std::uint32_t all_of(const BoundCounts& counts) { return counts.buffers + counts.targets; }
+
+Type type_of(const BoundCounts& counts, std::uint32_t binding) {
+    if (binding >= counts.buffers) return Type::eSampledImage;
+    return binding < counts.uniforms ? Type::eUniformBuffer : Type::eStorageBuffer;
+}
+
+vk::raii::DescriptorSetLayout make_set_layout(const vk::raii::Device& device, const BoundCounts& counts,
+                                              vk::ShaderStageFlags stages) {
     std::vector<vk::DescriptorSetLayoutBinding> bindings;
-    for (std::uint32_t i = 0; i < buffers + targets; ++i)
-        bindings.emplace_back(i, i < buffers ? Type::eStorageBuffer : Type::eSampledImage, 1, stages);
+    for (std::uint32_t i = 0; i < all_of(counts); ++i) bindings.emplace_back(i, type_of(counts, i), 1, stages);
     return {device, vk::DescriptorSetLayoutCreateInfo({}, bindings)};
 }
 
@@ -27,14 +33,14 @@ vk::raii::PipelineLayout make_layout(const vk::raii::Device& device, const vk::D
 
 }  // namespace
 
-Binding::Binding(const vk::raii::Device& device, std::uint32_t buffer_count, std::uint32_t bytes_pushed,
-                 vk::ShaderStageFlags used_in, std::uint32_t target_count)
-    : buffers(buffer_count), targets(target_count), push_bytes(bytes_pushed), stages(used_in) {
-    assert(buffers > 0 && push_bytes % 4 == 0 && push_bytes <= 128);
-    set_layout = make_set_layout(device, buffers, targets, stages);
+Binding::Binding(const vk::raii::Device& device, BoundCounts bound, std::uint32_t bytes_pushed,
+                 vk::ShaderStageFlags used_in)
+    : counts(bound), push_bytes(bytes_pushed), stages(used_in) {
+    assert(counts.buffers > 0 && counts.uniforms <= counts.buffers && push_bytes % 4 == 0 && push_bytes <= 128);
+    set_layout = make_set_layout(device, counts, stages);
     layout = make_layout(device, *set_layout, push_bytes, stages);
-    std::vector<vk::DescriptorPoolSize> sizes{{Type::eStorageBuffer, buffers}};
-    if (targets > 0) sizes.emplace_back(Type::eSampledImage, targets);
+    std::vector<vk::DescriptorPoolSize> sizes;
+    for (std::uint32_t i = 0; i < all_of(counts); ++i) sizes.emplace_back(type_of(counts, i), 1);
     pool = {device, vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes)};
     vk::raii::DescriptorSets sets(device, vk::DescriptorSetAllocateInfo(*pool, *set_layout));
     set = std::move(sets.front());
@@ -42,15 +48,21 @@ Binding::Binding(const vk::raii::Device& device, std::uint32_t buffer_count, std
 
 void Binding::bind(const vk::raii::Device& device, std::initializer_list<const Buffer*> all,
                    std::initializer_list<const Target*> read) const {
-    assert(all.size() == buffers && read.size() == targets);
-    std::vector<vk::DescriptorBufferInfo> infos;
-    for (const Buffer* buffer : all) infos.emplace_back(*buffer->impl().main.handle, 0, VK_WHOLE_SIZE);
+    assert(all.size() == counts.buffers && read.size() == counts.targets);
+    std::vector<vk::DescriptorBufferInfo> buffers;
+    for (const Buffer* buffer : all) buffers.emplace_back(*buffer->impl().main.handle, 0, VK_WHOLE_SIZE);
     std::vector<vk::DescriptorImageInfo> images;
     for (const Target* target : read)
-        images.emplace_back(vk::Sampler(), *target->impl().pixels.view, vk::ImageLayout::eShaderReadOnlyOptimal);
-    // One write fills all bindings of a type: Vulkan lets it run on into the next binding of the same type.
-    std::vector<vk::WriteDescriptorSet> writes{{*set, 0, 0, Type::eStorageBuffer, {}, infos}};
-    if (!images.empty()) writes.emplace_back(*set, buffers, 0, Type::eSampledImage, images);
+        images.emplace_back(vk::Sampler(), *target->impl().drawn().view, vk::ImageLayout::eShaderReadOnlyOptimal);
+    std::vector<vk::WriteDescriptorSet> writes;
+    for (std::uint32_t i = 0; i < all_of(counts); ++i) {
+        vk::WriteDescriptorSet write(*set, i, 0, 1, type_of(counts, i));
+        if (i < counts.buffers)
+            write.setPBufferInfo(&buffers[i]);
+        else
+            write.setPImageInfo(&images[i - counts.buffers]);
+        writes.push_back(write);
+    }
     device.updateDescriptorSets(writes, {});
 }
 

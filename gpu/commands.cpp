@@ -168,13 +168,25 @@ void Commands::dispatch_bytes(const Pass& pass, Extent extent, std::span<const s
 void Commands::clear(const Target& target) {
     const vk::raii::CommandBuffer& list = impl_->begin();
     const Image& colours = target.impl().drawn();
-    const Image& depth = target.impl().depth;
     constexpr Layout filled = Layout::eTransferDstOptimal;
     impl_->relayout(colours, Layout::eUndefined, filled);
     list.clearColorImage(*colours.handle, filled, vk::ClearColorValue(std::array{0.0F, 0.0F, 0.0F, 0.0F}),
                          colours.range);
     impl_->relayout(colours, filled, drawn_into);
+    clear_depth(target);
+}
+
+void Commands::discard(const Target& target) {
+    impl_->begin();
+    impl_->relayout(target.impl().drawn(), Layout::eUndefined, drawn_into);
+    clear_depth(target);
+}
+
+void Commands::clear_depth(const Target& target) {
+    const Image& depth = target.impl().depth;
     if (!depth) return;
+    constexpr Layout filled = Layout::eTransferDstOptimal;
+    const vk::raii::CommandBuffer& list = impl_->begin();
     impl_->relayout(depth, Layout::eUndefined, filled);
     list.clearDepthStencilImage(*depth.handle, filled, vk::ClearDepthStencilValue(0, 0), depth.range);
     impl_->relayout(depth, filled, depth_layout);
@@ -191,7 +203,7 @@ void Commands::draw_bytes(const Raster& raster, const Target& target, Strips str
         return vk::RenderingAttachmentInfo(*image.view, layout, {}, {}, {}, vk::AttachmentLoadOp::eLoad,
                                            vk::AttachmentStoreOp::eStore);
     };
-    for (const Target* read : r.read) impl_->relayout(read->impl().pixels, drawn_into, Layout::eShaderReadOnlyOptimal);
+    for (const Target* read : r.read) impl_->relayout(read->impl().drawn(), drawn_into, Layout::eShaderReadOnlyOptimal);
     impl_->timed(r.name, Stage::eColorAttachmentOutput, [&] {
         const vk::RenderingAttachmentInfo colour = attached(t.drawn(), drawn_into);
         const vk::RenderingAttachmentInfo depth = attached(t.depth, depth_layout);
@@ -203,7 +215,7 @@ void Commands::draw_bytes(const Raster& raster, const Target& target, Strips str
         list.draw(strips.vertices, strips.count, 0, 0);
         list.endRendering();
     });
-    for (const Target* read : r.read) impl_->relayout(read->impl().pixels, Layout::eShaderReadOnlyOptimal, drawn_into);
+    for (const Target* read : r.read) impl_->relayout(read->impl().drawn(), Layout::eShaderReadOnlyOptimal, drawn_into);
     impl_->barrier();
 }
 

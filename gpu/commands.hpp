@@ -57,6 +57,8 @@ class Commands {
 
     /// Sets every pixel, sample and depth to zero; once before the first draw into it.
     void clear(const Target& target);
+    /// The same for depths only; colours become undefined, for passes that draw over all of them.
+    void discard(const Target& target);
     /// Draws into the target, whose format and samples are those of the pass; `parameters` as those of dispatch().
     template <class Parameters>
     void draw(const Raster& raster, const Target& target, Strips strips, const Parameters& parameters) {
@@ -78,6 +80,7 @@ class Commands {
     struct Impl;
 
   private:
+    void clear_depth(const Target& target);
     void dispatch_bytes(const Pass& pass, Extent extent, std::span<const std::byte> parameters);
     void draw_bytes(const Raster& raster, const Target& target, Strips strips, std::span<const std::byte> parameters);
     std::unique_ptr<Impl> impl_;

@@ -24,7 +24,7 @@ struct TargetSettings {
 };
 
 /// A picture. Row 0 is the one of the smallest y. Of several samples a pixel, draws go into the samples, and what is
-/// copied, read and presented are the pixels that Commands::resolve() makes of them.
+/// copied and presented are the pixels that Commands::resolve() makes of them.
 class Target {
   public:
     /// Sides >= 1. The contents are undefined at first. Throws Error where the device cannot draw into such pixels, or
@@ -68,10 +68,11 @@ enum class Depth {
     test_and_set  ///< and their depth is kept
 };
 
-/// The layout of a raster pass: storage buffers at set 0, bindings 0, 1, ..., then the targets that it reads as
-/// `texture2D`, and one block of push constants; its shaders only read, and both see all. Vertices are pulled from the
-/// buffers by gl_VertexIndex and gl_InstanceIndex. The fragment shader's output 0 is a pixel of the target's format.
-/// Fragments of one draw are blended in the order of instances.
+/// The layout of a raster pass: buffers at set 0, bindings 0, 1, ..., the first of them uniform blocks, the others
+/// storage; then the targets that it reads, as `texture2D` or, of several samples, `texture2DMS`; and one block of push
+/// constants. Its shaders only read, and both see all. Vertices are pulled from the buffers by gl_VertexIndex and
+/// gl_InstanceIndex. The fragment shader's output 0 is a pixel of the target's format. Fragments of one draw are blended
+/// in the order of instances.
 struct RasterSettings {
     std::string name;                             ///< for errors and timings
     std::span<const std::uint32_t> vertex_spirv;  ///< entry point "main"; both must outlive the pass
@@ -79,6 +80,7 @@ struct RasterSettings {
     std::uint32_t buffers = 0;               ///< how many, >= 1
     std::uint32_t push_bytes = 0;            ///< a multiple of 4, at most 128
     std::vector<std::uint32_t> constants{};  ///< specialisation constants 0, 1, ... of both shaders
+    std::uint32_t uniforms = 0;              ///< how many of the buffers are uniform blocks, each at most 16 KiB
     std::uint32_t targets = 0;               ///< how many are read
     Topology topology = Topology::strip;
     Blend blend = Blend::add;

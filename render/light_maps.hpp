@@ -10,7 +10,7 @@
 namespace waterlight {
 
 struct LightMaps {
-    static constexpr int most_levels = 8;
+    static constexpr int most_levels = 6;
     std::vector<float> values;  ///< W/m2
     int levels = 0;             ///< of the floor; colours of a level one after another
     std::array<int, most_levels> floor_offset{};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/exponential.hpp>
 #include <numbers>
 
 #include "render/kernels/ambient.hpp"
@@ -86,6 +87,7 @@ void put_ambient(const Scene& scene, const Look& look, SceneParameters& p) {
     const double lit_x = wall_x ? std::max(0.0, 1 - std::abs(p.travel_x) * p.depth / g.width_m()) : 1;
     const double lit_y = wall_y ? std::max(0.0, 1 - std::abs(p.travel_y) * p.depth / g.height_m()) : 1;
     const glm::dvec3 colour{p.colour_r, p.colour_g, p.colour_b};
+    put(glm::exp(-colour * static_cast<double>(p.path * p.depth)), p.left_r, p.left_g, p.left_b);
     const glm::dvec3 absorption{p.absorption_r, p.absorption_g, p.absorption_b}, sky{p.sky_r, p.sky_g, p.sky_b};
     glm::dvec3 down, up;
     for (int c = 0; c < 3; ++c) {
@@ -112,16 +114,26 @@ void put_maps(const Scene& scene, const LightMaps& maps, SceneParameters& p) {
     p.map_height = plan.height;
     p.map_levels = maps.levels;
     p.map_pitch = static_cast<float>(std::min(plan.pitch_m.x, plan.pitch_m.y));
-    std::ranges::copy(maps.floor_offset, p.map_offset);
+    const std::array<int, LightMaps::most_levels>& offset = maps.floor_offset;
+    p.map_offset_0 = offset[0];
+    p.map_offset_1 = offset[1];
+    p.map_offset_2 = offset[2];
+    p.map_offset_3 = offset[3];
+    p.map_offset_4 = offset[4];
+    p.map_offset_5 = offset[5];
     if (scene.walls == nullptr) return;
-    for (int wall = 0; wall < 4; ++wall) {
-        const WallPlan of = wall_plan(scene.wall_settings, scene.surface->grid, wall);
-        p.wall_offset[wall] = maps.wall_offset[wall];
-        p.wall_columns[wall] = of.columns;
-        p.wall_rows[wall] = of.rows;
-        p.wall_pitch[wall] = static_cast<float>(of.pitch_m.x);
-        p.wall_pitch_up[wall] = static_cast<float>(of.pitch_m.y);
-    }
+    p.wall_offset_0 = maps.wall_offset[0];
+    p.wall_offset_1 = maps.wall_offset[1];
+    p.wall_offset_2 = maps.wall_offset[2];
+    p.wall_offset_3 = maps.wall_offset[3];
+    const WallPlan x = wall_plan(scene.wall_settings, scene.surface->grid, 0);
+    const WallPlan y = wall_plan(scene.wall_settings, scene.surface->grid, 2);
+    p.wall_columns_x = x.columns;
+    p.wall_columns_y = y.columns;
+    p.wall_rows = x.rows;
+    p.wall_pitch_x = static_cast<float>(x.pitch_m.x);
+    p.wall_pitch_y = static_cast<float>(y.pitch_m.x);
+    p.wall_pitch_up = static_cast<float>(x.pitch_m.y);
 }
 
 void put_domain(const Scene& scene, const Look& look, const SurfaceLevels& surface, SceneParameters& p) {

@@ -125,17 +125,15 @@ WaterMeshes SceneRenderer::Impl::upload(const Frame& frame) {
     return planned;
 }
 
-// The picture, pass by pass. What is nearest hides most, so the water comes first and the sky last. Samples are
-// averaged as radiance, before the tone curve: a pixel at an edge then has the light that falls on it, as a lens would
-// give it.
+// The picture, pass by pass. What is nearest hides most, so the water comes first and the sky last, which leaves no
+// pixel undrawn.
 void SceneRenderer::Impl::record(const Frame& frame, const WaterMeshes& planned) {
-    commands.clear(*radiance);
+    commands.discard(*radiance);
     water.record(frame, planned);
     if (BasinPass::needed(frame)) basin.record(frame);
     sky.record(frame);
     if (BeamsPass::needed(frame)) beams.record(frame);
-    commands.resolve(*radiance);
-    commands.clear(*picture);
+    commands.discard(*picture);
     tone.record(frame);
 }
 
@@ -195,6 +193,7 @@ std::vector<std::uint8_t> SceneRenderer::read_picture() {
 
 Radiance SceneRenderer::read_radiance() {
     const gpu::Target& from = *impl_->radiance;
+    impl_->commands.resolve(from);
     const std::span<const std::uint16_t> halves = impl_->read<std::uint16_t>(from);
     Radiance radiance;
     radiance.size = {from.width(), from.height()};

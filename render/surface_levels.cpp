@@ -101,9 +101,9 @@ void fill_margin(const Surface& s, const LevelCells& cells, const SurfaceLevel& 
 }
 
 void measure(const Surface& s, SurfaceLevels& out) {
-    double sum_x = 0, sum_y = 0, squares = 0, change = 0;
+    double sum_x = 0, sum_y = 0, squares = 0, changes = 0;
     float low = s.elevation.data()[0], high = low;
-#pragma omp parallel for reduction(+ : sum_x, sum_y, squares) reduction(max : change, high) reduction(min : low)
+#pragma omp parallel for reduction(+ : sum_x, sum_y, squares, changes) reduction(max : high) reduction(min : low)
     for (int j = 0; j < s.grid.ny; ++j) {
         const float *e = s.elevation.row(j), *x = s.slope_x.row(j), *y = s.slope_y.row(j);
         for (int i = 0; i < s.grid.nx; ++i) {
@@ -112,15 +112,15 @@ void measure(const Surface& s, SurfaceLevels& out) {
             squares += x[i] * x[i] + y[i] * y[i];
             low = std::min(low, e[i]);
             high = std::max(high, e[i]);
-            if (i > 0) change = std::max(change, std::abs(x[i] - x[i - 1]) / s.grid.dx_m);
-            if (j > 0) change = std::max(change, std::abs(y[i] - s.slope_y(i, j - 1)) / s.grid.dy_m);
+            if (i > 0) changes += std::pow((x[i] - x[i - 1]) / s.grid.dx_m, 2);
+            if (j > 0) changes += std::pow((y[i] - s.slope_y(i, j - 1)) / s.grid.dy_m, 2);
         }
     }
     const auto count = static_cast<double>(s.grid.cells());
     sum_x /= count;
     sum_y /= count;
     out.mean_variance = std::max(0.0, 0.5 * (squares / count - sum_x * sum_x - sum_y * sum_y));
-    out.curvature_per_m = change;
+    out.curvature_per_m = std::sqrt(0.5 * changes / count);
     out.lowest_m = low;
     out.highest_m = high;
 }

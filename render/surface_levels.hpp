@@ -24,7 +24,7 @@ struct SurfaceLevels {
     std::vector<SurfaceLevel> levels;  ///< finest first
     SurfaceLevel beyond;               ///< one cell: what the water is far away
     double mean_variance = 0;          ///< of all slopes, per axis
-    double curvature_per_m = 0;        ///< most change of slope, per metre
+    double curvature_per_m = 0;        ///< change of slope per metre, root mean square
     double lowest_m = 0, highest_m = 0;
 };
 

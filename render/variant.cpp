@@ -40,8 +40,8 @@ f64::AxisPlace place(double from_first_centre, int n, Side side) {
 }  // namespace
 
 std::vector<std::uint32_t> Variant::constants() const {
-    return {in_water, wall_x,        wall_y,       wraps_x,      wraps_y, uneven,      map_colours, wall_maps,
-            scatter,  floor_pattern, wall_pattern, deck_pattern, overlay, uniform_sky, coarse,      outside};
+    return {in_water,      wall_x,       wall_y,       wraps_x, wraps_y,     uneven, map_colours, wall_maps, scatter,
+            floor_pattern, wall_pattern, deck_pattern, overlay, uniform_sky, coarse, outside,     kind};
 }
 
 bool beyond_walls(const Surface& surface, glm::dvec3 eye) {

@@ -22,12 +22,13 @@ struct Variant {
     std::uint32_t overlay = 0;
     bool uniform_sky = false;
     bool coarse = false;
-    bool outside = false;  ///< a camera in the water, but beside the pool
+    bool outside = false;    ///< a camera in the water, but beside the pool
+    std::uint32_t kind = 0;  ///< of what a pass draws
 
     std::vector<std::uint32_t> constants() const;
 };
 
-/// Of a scene seen from `eye`; `coarse` is each draw's own.
+/// Of a scene seen from `eye`; `coarse` and `kind` are each draw's own.
 Variant variant_of(const Scene& scene, const Look& look, glm::dvec3 eye_m);
 
 /// Whether the camera's place is below the surface there. Beyond walls the water is taken for still.

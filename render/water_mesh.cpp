@@ -65,17 +65,19 @@ int level_at(const Frame& frame, double distance) {
     return std::clamp(static_cast<int>(std::floor(std::log2(std::max(cells, 1.0)))), 0, last);
 }
 
-/// Spacing of a mesh, in cells, a power of 2, such that straight lines between its corners stay within half a pixel.
+/// Spacing of a mesh, in cells, such that straight lines between its corners leave the surface by less than one and a
+/// half pixels where it bends by four times its root mean square. Slopes, and with them all that is seen in and through
+/// the water, come from the fields themselves; what a finer mesh costs is that its small triangles cut pixels.
 int spacing_at(const Frame& frame, double distance) {
     const Grid& g = frame.scene.surface->grid;
-    const double allowed = 0.5 * pixel_width(frame.view) * std::max(distance, nearest_m);
+    const double allowed = 1.5 * pixel_width(frame.view) * std::max(distance, nearest_m);
     const double range = frame.surface.highest_m - frame.surface.lowest_m;
     const auto error = [&](int cells) {
         const double spacing = cells * std::max(g.dx_m, g.dy_m);
-        return std::min(range, frame.surface.curvature_per_m * spacing * spacing / 8);
+        return std::min(range, 4 * frame.surface.curvature_per_m * spacing * spacing / 8);
     };
     int cells = 1;
-    while (2 * cells <= std::max(g.nx, g.ny) && error(2 * cells) <= allowed) cells *= 2;
+    while (cells < std::max(g.nx, g.ny) && error(cells + 1) <= allowed) ++cells;
     return cells;
 }
 

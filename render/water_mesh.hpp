@@ -24,10 +24,10 @@ struct WaterMeshes {
     std::vector<glm::vec4> shifts;  ///< of all copies, m
 };
 
-/// Meshes no finer than this camera can tell: what lies between their corners differs from the surface by less than
-/// half a pixel, seen at the nearest. Periodic sides repeat the domain as far as `copies_m`, then the water is flat
-/// with the mean variance of its slopes; beyond absorbing sides it is flat and still. A tilted surface climbs as it
-/// repeats, and ends there.
+/// Meshes no finer than this camera can tell: what lies between their corners differs from the surface by less than one
+/// and a half pixels almost everywhere. Periodic sides repeat the domain as far as 160 m or 10 copies, then the water
+/// is flat with the mean variance of its slopes; beyond absorbing sides it is flat and still. A tilted surface climbs
+/// as it repeats, and ends there.
 WaterMeshes plan_water(const Frame& frame);
 
 }  // namespace waterlight

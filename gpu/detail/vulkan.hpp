@@ -92,11 +92,16 @@ struct Buffer::Impl {
     bool staged() const { return *staging.handle != vk::Buffer(); }
 };
 
-/// The storage buffers of a pass at set 0, bindings 0, 1, ..., then the pictures it reads, and its block of push
-/// constants.
-struct Binding {
+/// How many things a pass is bound to, in the order of their bindings.
+struct BoundCounts {
+    std::uint32_t uniforms = 0;  ///< of the buffers
     std::uint32_t buffers = 0;
     std::uint32_t targets = 0;
+};
+
+/// The buffers of a pass at set 0, bindings 0, 1, ..., then the pictures it reads, and its block of push constants.
+struct Binding {
+    BoundCounts counts;
     std::uint32_t push_bytes = 0;
     vk::ShaderStageFlags stages;
     vk::raii::DescriptorSetLayout set_layout{nullptr};
@@ -105,8 +110,8 @@ struct Binding {
     vk::raii::DescriptorSet set{nullptr};
 
     Binding() = default;
-    Binding(const vk::raii::Device& device, std::uint32_t buffer_count, std::uint32_t bytes_pushed,
-            vk::ShaderStageFlags used_in, std::uint32_t target_count = 0);
+    Binding(const vk::raii::Device& device, BoundCounts bound, std::uint32_t bytes_pushed,
+            vk::ShaderStageFlags used_in);
     void bind(const vk::raii::Device& device, std::initializer_list<const Buffer*> all,
               std::initializer_list<const Target*> read = {}) const;
     void use(const vk::raii::CommandBuffer& list, vk::PipelineBindPoint point,

@@ -47,16 +47,17 @@ void BasinPass::record(const Frame& frame) {
     if (frame.variant.wall_y) draw(frame, KIND_DECK, 2, 2);
 }
 
-void BasinPass::draw(const Frame& frame, int kind, int first, std::uint32_t count) {
+void BasinPass::draw(const Frame& frame, std::uint32_t kind, int first, std::uint32_t count) {
     PassParameters p = frame.view;
     const SurfaceLevel& finest = frame.surface.levels.front();
     p.level_offset = finest.offset;
     p.level_nx = finest.nx;
     p.level_ny = finest.ny;
     p.level_scale = finest.scale;
-    p.kind = kind;
     p.first_copy = first;
-    frame.commands.draw(pass_.bound(frame, frame.variant), frame.radiance, {count, 4}, p);
+    Variant variant = frame.variant;
+    variant.kind = kind;
+    frame.commands.draw(pass_.bound(frame, variant), frame.radiance, {count, 4}, p);
 }
 
 }  // namespace waterlight

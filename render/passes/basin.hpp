@@ -12,7 +12,7 @@ class BasinPass {
     void record(const Frame& frame);
 
   private:
-    void draw(const Frame& frame, int kind, int first, std::uint32_t count);
+    void draw(const Frame& frame, std::uint32_t kind, int first, std::uint32_t count);
     ScenePass pass_;
 };
 

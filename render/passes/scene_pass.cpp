@@ -32,6 +32,7 @@ gpu::RasterSettings surface_settings(std::string name, std::span<const std::uint
             .fragment_spirv = fragment,
             .buffers = 7,
             .push_bytes = sizeof(PassParameters),
+            .uniforms = 1,
             .topology = gpu::Topology::strip,
             .blend = gpu::Blend::replace,
             .depth = gpu::Depth::test_and_set,

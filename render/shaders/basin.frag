@@ -30,8 +30,8 @@ vec3 deck(vec3 place, vec2 widths) {
 
 // The ray's parameter at the rectangle's plane.
 float plane_way(Sight a) {
-    if (p.kind == KIND_FLOOR) return (-s.depth - p.eye_z) / a.r.z;
-    if (p.kind == KIND_DECK) return (s.freeboard - p.eye_z) / a.r.z;
+    if (kind == KIND_FLOOR) return (-s.depth - p.eye_z) / a.r.z;
+    if (kind == KIND_DECK) return (s.freeboard - p.eye_z) / a.r.z;
     return part < 2 ? ((part == 0 ? s.x0 : s.x1) - p.eye_x) / a.r.x : ((part == 2 ? s.y0 : s.y1) - p.eye_y) / a.r.y;
 }
 
@@ -48,20 +48,17 @@ void main() {
     vec3 place = eye() + t * a.r;
     float width = t * pixel_width();
     vec2 across = width * vec2(1, 1 / max(abs(a.d.z), 0.02));  // of a horizontal plane, in any direction at most
-    if (p.kind == KIND_DECK) {
+    if (kind == KIND_DECK) {
         drawn = exposed(deck(place, min(fwidth(place.xy), across.yy)));
         return;
     }
-    vec3 radiance;
-    if (p.kind == KIND_FLOOR) {
-        radiance = floor_radiance(place, width, min(fwidth(place.xy), across.yy));
-    } else {
-        vec2 widths = vec2(fwidth(wallwards(part, place)), fwidth(place.z));
-        if (is_dry(place)) {
-            drawn = exposed(dry_wall(part, place, widths));
-            return;
-        }
-        radiance = wall_radiance(part, place, widths);
+    int wall = kind == KIND_FLOOR ? -1 : part;
+    vec2 widths = fwidth(on_pattern(wall, place));
+    if (wall < 0) widths = min(widths, across.yy);
+    if (wall >= 0 && is_dry(place)) {
+        drawn = exposed(dry_wall(wall, place, widths));
+        return;
     }
+    vec3 radiance = radiance_in_water(wall, place, width, widths);
     drawn = exposed(through_water(radiance, a.d, t * a.metres));
 }

@@ -16,7 +16,7 @@ void main() {
     float y0 = wall_y ? s.y0 : p.eye_y - reach, y1 = wall_y ? s.y1 : p.eye_y + reach;
     part = p.first_copy + gl_InstanceIndex;
     vec3 place = vec3(at(x0, x1, i), at(y0, y1, j), -s.depth);
-    if (p.kind == KIND_WALLS) {
+    if (kind == KIND_WALLS) {
         place.z = at(-s.depth, s.freeboard, j);
         if (part < 2) {
             place.xy = vec2(part == 0 ? s.x0 : s.x1, at(y0, y1, i));
@@ -24,7 +24,7 @@ void main() {
             place.xy = vec2(at(x0, x1, i), part == 2 ? s.y0 : s.y1);
         }
     }
-    if (p.kind == KIND_DECK) {  // west, east as wide as the pool, south, north beyond
+    if (kind == KIND_DECK) {  // west, east as wide as the pool, south, north beyond
         place.z = s.freeboard;
         if (part < 2) {
             place.xy = vec2(part == 0 ? at(x0 - reach, x0, i) : at(x1, x1 + reach, i), at(y0, y1, j));

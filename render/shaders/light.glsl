@@ -24,6 +24,17 @@ vec3 calm_sun(vec2 place, float depth) {
 
 vec3 diffuse_absorption() { return vec3(s.absorption_r, s.absorption_g, s.absorption_b); }
 
+// What is left of the sun's light beyond what the fields know.
+vec3 left_of_sun(float depth) {
+    return uneven ? exp(-colours() * s.path * depth) : vec3(s.left_r, s.left_g, s.left_b);
+}
+
+int map_offset(int level) {
+    int low = level == 0 ? s.map_offset_0 : (level == 1 ? s.map_offset_1 : s.map_offset_2);
+    int high = level == 3 ? s.map_offset_3 : (level == 4 ? s.map_offset_4 : s.map_offset_5);
+    return level < 3 ? low : high;
+}
+
 // `width` is the footprint's, m.
 vec3 sun_on_floor(vec2 place, float depth, float width) {
     if (map_colours == 0) return calm_sun(place, depth);
@@ -33,12 +44,12 @@ vec3 sun_on_floor(vec2 place, float depth, float width) {
     float scale = exp2(-float(level));
     ivec2 size = ivec2(ceil(vec2(s.map_width, s.map_height) * scale));
     vec2 at = clamp(pixel * scale + 0.5, vec2(0.5), vec2(size) + 0.499);
-    int offset = s.map_offset[level], stride = size.x + 2;
+    int offset = map_offset(level), stride = size.x + 2;
     bool on_map = all(greaterThanEqual(pixel, vec2(-0.5))) &&
                   all(lessThanEqual(pixel, vec2(s.map_width, s.map_height) + 0.5));
     vec3 e;
     if (map_colours == 1) {
-        e = light_at(offset, stride, at) * exp(-colours() * s.path * depth);
+        e = light_at(offset, stride, at) * left_of_sun(depth);
     } else {
         int plane = stride * (size.y + 2);
         e = vec3(light_at(offset, stride, at), light_at(offset + plane, stride, at),
@@ -56,16 +67,6 @@ vec3 ambient_at(float depth, vec3 sun) {
         ambient_on_floor(s.sky_b, sun.b, s.mean_b, s.r_ext, s.r_int, diffuse_passage(a.b, depth)));
 }
 
-// Radiance of a place on the floor, or on ground below the water.
-vec3 floor_radiance(vec3 place, float width, vec2 widths) {
-    float depth = max(0, -place.z);
-    if (overlay == OVERLAY_FLOOR || overlay == OVERLAY_ERROR) return overlay_colour(dot(sun_on_floor(place.xy, 0, width), vec3(1.0 / 3)));
-    vec3 calm = uneven ? calm_sun(place.xy, depth) : vec3(0);
-    vec3 e = sun_on_floor(place.xy, depth, width) + ambient_at(depth, calm);
-    vec3 albedo = vec3(s.floor_r, s.floor_g, s.floor_b) * finish(floor_pattern, place.xy, widths, s.floor_side);
-    return albedo * e * (1 / pi);
-}
-
 // Diffuse light on a wall: half of what comes down and half of what comes up there.
 vec3 ambient_on_wall(float depth) {
     vec3 passed = exp(-1.2 * diffuse_absorption() * (s.depth - depth));
@@ -77,21 +78,39 @@ vec3 wall_inward(int wall) {
     return vec3(wall == 0 ? 1 : (wall == 1 ? -1 : 0), wall == 2 ? 1 : (wall == 3 ? -1 : 0), 0);
 }
 
-vec3 wall_radiance(int wall, vec3 place, vec2 widths) {
-    float along = wall < 2 ? place.y - s.y0 : place.x - s.x0;
-    float depth = max(0, -place.z);
+float along_wall(int wall, vec3 place) { return wall < 2 ? place.y - s.y0 : place.x - s.x0; }
+
+vec3 sun_on_wall(int wall, vec3 place, float depth) {
     vec3 inward = wall_inward(wall);
-    vec3 e;
-    if (wall_maps) {
-        int columns = s.wall_columns[wall], rows = s.wall_rows[wall];
-        vec2 at = vec2(along / s.wall_pitch[wall], (place.z + s.depth) / s.wall_pitch_up[wall]);
-        at = clamp(at + 0.5, vec2(0.5), vec2(columns, rows) + 0.499);
-        e = light_at(s.wall_offset[wall], columns + 2, at) * exp(-colours() * s.path * depth);
-    } else {
-        float facing = max(0, -(s.travel_x * inward.x + s.travel_y * inward.y));
-        e = calm_sun(place.xy, depth) * facing;
+    if (!wall_maps) return calm_sun(place.xy, depth) * max(0, -(s.travel_x * inward.x + s.travel_y * inward.y));
+    int columns = wall < 2 ? s.wall_columns_x : s.wall_columns_y;
+    vec2 at = vec2(along_wall(wall, place) / (wall < 2 ? s.wall_pitch_x : s.wall_pitch_y),
+                   (place.z + s.depth) / s.wall_pitch_up);
+    at = clamp(at + 0.5, vec2(0.5), vec2(columns, s.wall_rows) + 0.499);
+    int low = wall == 0 ? s.wall_offset_0 : s.wall_offset_1, high = wall == 2 ? s.wall_offset_2 : s.wall_offset_3;
+    return light_at(wall < 2 ? low : high, columns + 2, at) * exp(-colours() * s.path * depth);
+}
+
+// A place in the water: on the floor or ground where `wall` is -1, else on a wall. Its pattern's coordinates, m.
+vec2 on_pattern(int wall, vec3 place) { return wall < 0 ? place.xy : vec2(along_wall(wall, place), place.z); }
+
+vec3 albedo_at(int wall, vec2 at, vec2 widths) {
+    float side = wall < 0 ? s.floor_side : s.wall_side;
+    float part = finish(floor_pattern, at, widths, side);
+    if (wall_pattern != floor_pattern && (wall_x || wall_y))
+        part = wall < 0 ? part : finish(wall_pattern, at, widths, side);
+    return part * (wall < 0 ? vec3(s.floor_r, s.floor_g, s.floor_b) : vec3(s.wall_r, s.wall_g, s.wall_b));
+}
+
+// Its radiance towards any direction. `width` is that of the footprint, `widths` on the pattern.
+vec3 radiance_in_water(int wall, vec3 place, float width, vec2 widths) {
+    float depth = max(0, -place.z);
+    if (overlay == OVERLAY_FLOOR || overlay == OVERLAY_ERROR) {
+        vec3 shown = overlay_colour(dot(sun_on_floor(place.xy, 0, width), vec3(1.0 / 3)));
+        if (wall < 0) return shown;
     }
-    e += ambient_on_wall(depth);
-    vec3 albedo = vec3(s.wall_r, s.wall_g, s.wall_b) * finish(wall_pattern, vec2(along, place.z), widths, s.wall_side);
-    return albedo * e * (1 / pi);
+    vec3 calm = uneven ? calm_sun(place.xy, depth) : vec3(0);
+    vec3 e = sun_on_floor(place.xy, depth, width) + ambient_at(depth, calm);
+    if (wall_x || wall_y) e = wall < 0 ? e : sun_on_wall(wall, place, depth) + ambient_on_wall(depth);
+    return albedo_at(wall, on_pattern(wall, place), widths) * e * (1 / pi);
 }

@@ -17,8 +17,10 @@ layout(constant_id = 13) const bool uniform_sky = false;
 layout(constant_id = 14) const bool coarse = false;       // a level of the surface's fields above the first
 layout(constant_id = 15) const bool outside = false;      // a camera in the water, but beside the pool
 
+layout(constant_id = 16) const int kind = 0;              // what of several things is drawn
+
 layout(push_constant) uniform Push { PassParameters p; };
-layout(std430, binding = 0) readonly buffer SceneBlock { SceneParameters s; };
+layout(std140, binding = 0) uniform SceneBlock { SceneParameters s; };
 layout(std430, binding = 1) readonly buffer SurfaceLevels { vec4 surface_cells[]; };  // slopes, variance, elevation
 layout(std430, binding = 2) readonly buffer LightMaps { float light[]; };
 layout(std430, binding = 3) readonly buffer Medium { float medium[]; };  // phase function, then the volume

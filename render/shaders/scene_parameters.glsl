@@ -1,9 +1,7 @@
 // What the host tells the passes of a picture. C++ and GLSL include the same text: scalars of four bytes only, so that
 // both lay it out alike. Lengths in metres, light in W/m2, suffixes r, g, b for the colours.
 
-#define LIGHT_LEVELS 8
-
-// The scene, at binding 0 of every pass.
+// The scene, a uniform block at binding 0 of every pass.
 struct SceneParameters {
     float sun_x, sun_y, sun_z;  // to the sun, unit
     float sun_irradiance;       // E0; 0 with the sun below the horizon
@@ -13,6 +11,7 @@ struct SceneParameters {
     float index, fresnel;
     float extinction;                                // of light on its way as the fields know it, 1/m
     float colour_r, colour_g, colour_b;              // absorption beyond, 1/m
+    float left_r, left_g, left_b;                    // of the sun's light on the flat floor, by that absorption
     float sight_r, sight_g, sight_b;                 // extinction on the camera's way
     float absorption_r, absorption_g, absorption_b;  // of diffuse light
     float scattering;
@@ -33,14 +32,12 @@ struct SceneParameters {
     // Pixels of the floor map: origin + x along_x + y along_y, of its outer corner.
     float map_x, map_y, map_xx, map_xy, map_yx, map_yy;
     int map_width, map_height, map_levels;
-    int map_offset[LIGHT_LEVELS];
+    int map_offset_0, map_offset_1, map_offset_2, map_offset_3, map_offset_4, map_offset_5;  // of its levels
     float map_pitch;
-    // Of walls 0 to 3: where each map begins, its columns, rows and pixels' sizes.
-    int wall_offset[4];
-    int wall_columns[4];
-    int wall_rows[4];
-    float wall_pitch[4];
-    float wall_pitch_up[4];
+    // Where the maps of walls 0 to 3 begin; columns, rows and pixels of those of the x sides and of the y sides.
+    int wall_offset_0, wall_offset_1, wall_offset_2, wall_offset_3;
+    int wall_columns_x, wall_columns_y, wall_rows;
+    float wall_pitch_x, wall_pitch_y, wall_pitch_up;
     int ground_nx, ground_ny;
     float ground_low, ground_high;
     int volume_nx, volume_ny, volume_nz, volume_offset;
@@ -65,5 +62,4 @@ struct PassParameters {
     int level_offset, level_nx, level_ny;
     float level_scale;  // cells along one of its own
     int first_copy;     // of the list of copies
-    int kind;           // what of several things is drawn
 };

@@ -106,19 +106,12 @@ vec3 scattered(vec3 from, vec3 d, float way) {
     return strength * step * sum;
 }
 
-float wallwards(int wall, vec3 place) { return wall < 2 ? place.y : place.x; }
-
 // Radiance that arrives at `from` along the way d, from what is met there and from the water between.
 vec3 seen_in_water(vec3 from, vec3 d, float width) {
     Meeting m = meet(from, d);
     vec3 place = from + m.way * d;
     width += m.way * pixel_width() * (1 / s.index);
-    vec3 seen = vec3(0);
-    vec2 on_floor = fwidth(place.xy);
-    vec2 on_wall = vec2(fwidth(wallwards(m.wall, place)), fwidth(place.z));
-    bool floor_met = m.wall < 0;
-    seen = floor_met ? floor_radiance(place, width, on_floor) : vec3(0);
-    if (wall_x || wall_y) seen = floor_met ? seen : wall_radiance(m.wall, place, on_wall);
+    vec3 seen = radiance_in_water(m.wall, place, width, fwidth(on_pattern(m.wall, place)));
     if (overlay == OVERLAY_FLOOR || overlay == OVERLAY_ERROR) return seen;
     return seen * exp(-sight_extinction() * m.way) + scattered(from, d, m.way);
 }

@@ -114,7 +114,7 @@ struct Painter {
                      .format = Format::rgba8}),
           commands(c) {
         painted.bind({&layers});
-        halved.bind({&whole}, {&first});
+        if (first.samples() == 1) halved.bind({&whole}, {&first});
         whole.host<Layer>()[0] = {0, 0, width, 0, {1, 1, 1, 1}};
     }
 
@@ -136,7 +136,7 @@ struct Painter {
         commands.clear(second);
         commands.draw(painted, first, {1, 6 * static_cast<std::uint32_t>(drawn.size())}, Size{width, height});
         commands.resolve(first);
-        commands.draw(halved, second, {1, 6}, Size{width, height});
+        if (first.samples() == 1) commands.draw(halved, second, {1, 6}, Size{width, height});
         commands.run();
     }
 };
