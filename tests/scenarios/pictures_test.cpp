@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/scenarios/program.hpp"
+#include "tests/support/child.hpp"
 
 namespace waterlight::test {
 namespace {
@@ -68,6 +69,22 @@ TEST_F(Pictures, AreOneAFrameOfTheSizeAsked) {
     EXPECT_FALSE(report()["render"]["device"].get<std::string>().empty());
 }
 
+TEST_F(Pictures, OfATruthAreDrawnByADeviceThatTheMapDoesNotUse) {
+    const Outcome outcome = run({"--validate", "--set", "caustics.floor={method=\"truth\", pixels=[16, 12]}"});
+    ASSERT_EQ(outcome.exit, 0) << outcome.output;
+    EXPECT_EQ(report()["backend"]["name"], "cpu");
+    EXPECT_EQ(size_of(picture(4)), std::pair(81, 45));
+    EXPECT_EQ(run({"--validate", "--set", "output.image=false", "--set", "caustics.floor.method=\"truth\""}).exit, 2);
+}
+
+TEST_F(Pictures, AreExplained) {
+    const Outcome outcome = run_program({"explain", scenario_.string()});
+    EXPECT_NE(outcome.output.find("81 x 45 pixels of 4 samples"), std::string::npos) << outcome.output;
+    EXPECT_NE(outcome.output.find("for pictures"), std::string::npos) << outcome.output;
+    const Outcome without = run_program({"explain", scenario_.string(), "--set", "output.image=false"});
+    EXPECT_EQ(without.output.find("pictures"), std::string::npos) << without.output;
+}
+
 TEST_F(Pictures, WithoutImageNothingIsDrawnAndNoDeviceOpened) {
     const Outcome outcome =
         run({"--set", "output.image=false"}, "VK_DRIVER_FILES=/nonexistent VK_ICD_FILENAMES=/nonexistent");
@@ -128,6 +145,23 @@ TEST_F(Pictures, TheMovieHasEveryFrameThatIsOnTheBeat) {
               "h264\n82\n46\nyuv420p\n10/1\n4\n");
     for (const fs::directory_entry& entry : fs::directory_iterator(out_))
         EXPECT_FALSE(entry.path().filename().string().ends_with(".part")) << entry.path();
+}
+
+TEST_F(Pictures, AMovieOfARunThatWasInterruptedHasAllFrames) {
+    if (!has_ffmpeg()) GTEST_SKIP() << "needs ffmpeg and ffprobe";
+    const std::vector<std::string> arguments{"run",     scenario_.string(), "--out", out_.string(),
+                                             "--movie", "--resume",         "--set", "waves.duration_s=3"};
+    {
+        Child child(arguments, folder_ / "log");
+        ASSERT_TRUE(wait_until([&] { return fs::exists(out_ / "images/scene_000002.png"); }));
+        child.kill(SIGINT);
+        ASSERT_EQ(child.wait(), 128 + SIGINT) << child.output();
+        EXPECT_FALSE(fs::exists(out_ / "movie.mp4"));
+    }
+    const Outcome outcome = run_program(arguments);
+    ASSERT_EQ(outcome.exit, 0) << outcome.output;
+    EXPECT_NE(outcome.output.find("going on from"), std::string::npos) << outcome.output;
+    EXPECT_EQ(probed(out_ / "movie.mp4", "nb_read_frames"), "31\n");
 }
 
 TEST_F(Pictures, TheMovieGoesWhereAndAsFastAsAsked) {
