@@ -393,18 +393,10 @@ class Run {
 
     double movie_rate() const { return options_.movie_speed / scenario_.output.every_s; }
 
-    /// Of the frames that are every_s apart: those between, for checks, and one at the end of a broken interval would
-    /// make the movie stumble.
     std::vector<fs::path> movie_pictures(const Outputs& outputs) const {
         std::vector<fs::path> pictures;
-        int frame = 0;
-        for (const Moment& moment : moments_) {
-            if (!moment.is_frame) continue;
-            const double intervals = moment.time_s / scenario_.output.every_s;
-            constexpr double slack = 1e-6;
-            if (std::abs(intervals - std::round(intervals)) < slack) pictures.push_back(outputs.scene_file(frame));
-            ++frame;
-        }
+        for (const int frame : regular_frames(moments_, scenario_.output.every_s))
+            pictures.push_back(outputs.scene_file(frame));
         return pictures;
     }
 

@@ -39,6 +39,7 @@ draw() {
 }
 
 draw pool pool 6.5 --set 'caustics.walls={}'
+draw pool_irradiance pool 6.5 --set picture.overlay=irradiance --set camera.pixels=[900,506]
 draw pool_side pool_side 3.6 --set light.azimuth_deg=80 --set light.elevation_deg=50 --set water.scattering_per_m=0.2 \
     --set 'caustics.floor={ pixels = [1024, 683] }' --set 'caustics.walls={}' --set camera.fov_deg=36 \
     --set camera.reduction=2 --set picture.exposure_w_m2_sr=70 --set picture.sky.irradiance_w_m2=15 \

@@ -1,6 +1,8 @@
 # Pictures of scenes: what a scenario says of them, what a run makes of it, and whether they look as they did.
 waterlight_test(scenario_picture_test SOURCES unit/scenario_picture_test.cpp LIBRARIES waterlight::scenarios)
-waterlight_test(floor_colours_test SOURCES unit/floor_colours_test.cpp LIBRARIES waterlight_app)
+waterlight_test(picture_parts_test
+    SOURCES unit/floor_colours_test.cpp unit/regular_frames_test.cpp
+    LIBRARIES waterlight_app)
 waterlight_test(pictures_test
     SOURCES scenarios/pictures_test.cpp
     LIBRARIES nlohmann_json::nlohmann_json fmt::fmt)
