@@ -6,9 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/flashes.hpp"
-#include "app/shallow_watch.hpp"
-#include "scenarios/build_shallow.hpp"
-#include "scenarios/resolve.hpp"
+#include "app/ground_heights.hpp"
 #include "sim/error.hpp"
 
 namespace waterlight {
@@ -16,14 +14,9 @@ namespace waterlight {
 namespace {
 
 std::shared_ptr<const BeamGround> ground_for(const Scenario& scenario, const BuiltModel& model) {
-    const Grid grid = grid_of(scenario);
-    const Boundary boundary = resolve_boundary(scenario);
-    if (model.shallow) return std::make_shared<BeamGround>(grid, boundary, bed_of(*model.shallow, grid));
-    if (!scenario.domain.bathymetry && scenario.domain.ground.empty()) return nullptr;
-    const Field<double> stated = stated_ground(scenario);
-    Field<float> height(grid.nx, grid.ny);
-    std::copy_n(stated.data(), stated.size(), height.data());
-    return std::make_shared<BeamGround>(grid, boundary, std::move(height));
+    Field<float> heights = ground_heights(scenario, model);
+    if (heights.empty()) return nullptr;
+    return std::make_shared<BeamGround>(grid_of(scenario), resolve_boundary(scenario), std::move(heights));
 }
 
 void require_above(const BeamGround& ground, glm::dvec3 camera) {
@@ -60,7 +53,7 @@ void BeamStage::compute(const Surface& surface) {
     compute_beams(surface);
     if (scenario_.beams->reflected) make_reflected_beams(reflected_settings(scenario_), surface, reflected_);
     if (scenario_.beams->volume_cells) renderer_->fill(beams_, *scenario_.beams->volume_cells, volume_);
-    if (scenario_.camera) draw(surface);
+    if (sees_scattered_light(scenario_)) draw(surface);
 }
 
 void BeamStage::draw(const Surface& surface) {

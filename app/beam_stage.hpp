@@ -10,6 +10,7 @@
 #include "caustics/beam_renderer.hpp"
 #include "caustics/light_ledger.hpp"
 #include "scenarios/build.hpp"
+#include "scenarios/resolve.hpp"
 #include "sim/state_archive.hpp"
 
 namespace waterlight {
@@ -37,7 +38,7 @@ struct BeamRecord {
     double flux_error = 0;                ///< largest
     double brightest_depth_m = 0;         ///< of the last frame
     double sampled_every_s = 0;           ///< the longest time between frames
-    // Where there is a camera, of the last frame:
+    // Where a camera sees them, of the last frame:
     double mean_radiance = 0;
     double max_radiance = 0;
     BeamImageCounts counts;
@@ -64,7 +65,7 @@ class BeamStage {
     PointIrradiance irradiance_at(glm::dvec2 at_m, double depth_m) const;
 
     const BeamVolume* volume() const { return scenario_.beams->volume_cells ? &volume_ : nullptr; }
-    const BeamImage* image() const { return scenario_.camera ? &image_ : nullptr; }
+    const BeamImage* image() const { return sees_scattered_light(scenario_) ? &image_ : nullptr; }
 
   private:
     /// Sums of one slice over cells and frames.

@@ -94,7 +94,8 @@ CheckItem read_item(const fs::path& file, const CheckOptions& options) {
     item.name = file.stem().string();
     try {
         item.overrides = parse_scenario(text_of(file), file, {}).check_run.set;
-        if (options.out.empty()) item.overrides.insert(item.overrides.begin(), "output.formats=[]");
+        if (options.out.empty())
+            item.overrides.insert(item.overrides.begin(), {"output.formats=[]", "output.image=false"});
         item.overrides.insert(item.overrides.end(), options.overrides.begin(), options.overrides.end());
         item.scenario = read_scenario(file, item.overrides);
         item.memory_bytes = memory_of(item);

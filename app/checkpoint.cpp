@@ -10,9 +10,10 @@
 
 namespace waterlight {
 
-RunIdentity identity_of(const Scenario& scenario, const BackendDecision& backend) {
+RunIdentity identity_of(const Scenario& scenario, const BackendDecision& backend, const std::string& picture_device) {
     RunIdentity identity{version, hash_of(scenario.origin), backend.device, ""};
     identity.device += backend.backend == Backend::vulkan ? " by Vulkan" : " by itself";
+    if (!picture_device.empty()) identity.device += ", pictures by " + picture_device;
     for (const std::filesystem::path& file : data_files(scenario)) {
         const FileStamp stamp = stamp_of(file);
         identity.files += fmt::format("{} {} {}\n", file.string(), stamp.bytes, stamp.changed_ns);

@@ -14,11 +14,12 @@ namespace waterlight {
 struct RunIdentity {
     std::string version;   ///< of the program
     std::string scenario;  ///< hash of its text and overrides
-    std::string device;    ///< back-end and device
+    std::string device;    ///< back-end and device, and the device that draws the scene
     std::string files;     ///< sizes and times of the data files
 };
 
-RunIdentity identity_of(const Scenario& scenario, const BackendDecision& backend);
+/// `picture_device` draws the scene; empty where none does.
+RunIdentity identity_of(const Scenario& scenario, const BackendDecision& backend, const std::string& picture_device);
 
 /// Gives the identity to the archive; or takes it from there and throws InputError, naming the `checkpoint` and what
 /// differs, where it is not `present`.

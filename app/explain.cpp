@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "scenarios/costs.hpp"
+#include "scenarios/light_cost.hpp"
 #include "scenarios/number.hpp"
 #include "scenarios/reader.hpp"
 
@@ -106,9 +107,17 @@ std::string cost_line(const Scenario& s, const Decision& d) {
     const glm::dvec2 cells(d.choice().cells), pixels(d.light.pixels);
     const double files =
         s.output.formats.empty() ? 0 : frames * costs::file_cell_frame * (cells.x * cells.y + pixels.x * pixels.y);
-    return fmt::format("some {} for the waves, {} for the light, {} for {:.0f} frames of files; {:.0f} MB of memory",
-                       duration(d.choice().seconds), duration(d.light.seconds), duration(files), frames,
+    const std::string pictures =
+        s.output.image ? fmt::format(", {} for pictures", duration(scene_seconds(s))) : std::string();
+    return fmt::format("some {} for the waves, {} for the light{}, {} for {:.0f} frames of files; {:.0f} MB of memory",
+                       duration(d.choice().seconds), duration(d.light.seconds), pictures, duration(files), frames,
                        d.choice().bytes / 1e6);
+}
+
+std::string picture_line(const Scenario& s) {
+    const glm::ivec2 size = s.camera->camera.size;
+    return fmt::format("{} x {} pixels of {} sample{} at edges, by Vulkan; reckoned for a device that is the CPU",
+                       size.x, size.y, s.picture.look.samples, s.picture.look.samples == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -131,6 +140,7 @@ std::string explanation(const Scenario& s, const Decision& d) {
     if (s.beams)
         line("beams", fmt::format("{} x {} cells ({})", d.light.beams.x, d.light.beams.y,
                                   s.beams->grid.x > 0 ? "stated" : "chosen"));
+    if (s.output.image) line("picture", picture_line(s));
     line("cost", cost_line(s, d));
     const std::string warning = d.warning(), light_warning = d.light_warning();
     if (!warning.empty()) line("WARNING", warning);

@@ -101,7 +101,9 @@ BackendDecision choose_backend(const DeviceWish& wish, const Scenario& scenario)
         throw InputError("--device: found it beside --backend cpu; allowed: --backend vulkan or auto");
     const bool wants_vulkan = wish.backend == Backend::vulkan || !wish.device.empty() || wish.validation;
     if (is_truth(scenario)) {
-        if (wants_vulkan) throw InputError("--backend: found vulkan beside method = \"truth\"; allowed: auto or cpu");
+        // A device and its validation may be those of the pictures.
+        if (wish.backend == Backend::vulkan || (wants_vulkan && !scenario.output.image))
+            throw InputError("--backend: found vulkan beside method = \"truth\"; allowed: auto or cpu");
         return because("the truth is computed in double precision on the CPU");
     }
     if (wish.backend == Backend::cpu) return because("stated on the command line");

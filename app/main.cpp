@@ -37,6 +37,7 @@ struct Arguments {
     SweepOptions sweep;
     std::string backend = "auto";
     int threads = 0;
+    std::string movie;
     bool json = false;
     bool markdown = false;
 };
@@ -64,6 +65,13 @@ void add_run(CLI::App& program, Arguments& args) {
     run->add_flag("--validate", args.run.device.validation,
                   "Vulkan with its validation layer; a message of it fails the run");
     run->add_flag("--resume", args.run.resume, "Go on from the checkpoint that an interrupted run left in DIR");
+    run->add_option("--movie", args.movie, "Make a movie of the pictures of output.image; default DIR/movie.mp4")
+        ->type_name("FILE")
+        ->expected(0, 1);
+    run->add_option("--movie-speed", args.run.movie_speed, "Simulated seconds a second of it; default 1")
+        ->needs("--movie")
+        ->check(CLI::Range(1e-6, 1e6))
+        ->type_name("X");
     run->add_flag("--quiet", args.run.quiet, "Say nothing but errors and failed checks");
 }
 
@@ -152,6 +160,7 @@ int execute(const CLI::App& program, Arguments& args) {
         return sweep(args.sweep) ? done : check_failed;
     }
     if (args.threads > 0) omp_set_num_threads(args.threads);
+    if (program.get_subcommand("run")->count("--movie") > 0) args.run.movie = args.movie;
     catch_stop_signals();
     args.run.stop_signal = stop_signal;
     return run_scenario(args.run) ? done : check_failed;

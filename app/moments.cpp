@@ -48,4 +48,17 @@ std::vector<Moment> moments_of(const Scenario& s) {
     return all;
 }
 
+std::vector<int> regular_frames(const std::vector<Moment>& moments, double every_s) {
+    std::vector<int> regular;
+    int frame = 0;
+    for (const Moment& moment : moments) {
+        if (!moment.is_frame) continue;
+        const double intervals = moment.time_s / every_s;
+        constexpr double rounding = 1e-6;
+        if (std::abs(intervals - std::round(intervals)) < rounding) regular.push_back(frame);
+        ++frame;
+    }
+    return regular;
+}
+
 }  // namespace waterlight

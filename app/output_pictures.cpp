@@ -5,13 +5,25 @@
 #include <cmath>
 
 #include "app/outputs.hpp"
+#include "export/atomic_file.hpp"
 #include "export/colour_picture.hpp"
 #include "export/exr.hpp"
+#include "export/framed_picture.hpp"
 #include "export/frames.hpp"
 #include "export/grey16.hpp"
 #include "export/picture.hpp"
+#include "render/overlay_map.hpp"
 
 namespace waterlight {
+
+namespace {
+
+std::string name_of(Overlay overlay) {
+    if (overlay == Overlay::elevation) return "Elevation of the surface";
+    return overlay == Overlay::irradiance ? "Irradiance on the floor" : "Estimated error of the irradiance";
+}
+
+}  // namespace
 
 void Outputs::write_pictures(const FrameFiles& frame) {
     const Grid& grid = frame.surface.grid;
@@ -76,6 +88,19 @@ void Outputs::write_radiance(const FrameFiles& frame) {
                    .unit = "W/(m\u00b2 sr)",
                    .time_s = frame.surface.time_s,
                    .length_bar = false});
+}
+
+/// As large as the camera's, unless there is a legend around it.
+void Outputs::write_scene(const FrameFiles& frame) {
+    const ColourImage& picture = frame.scene.image;
+    if (look_->overlay == Overlay::none) return write_file(image("scene", "png"), encode_png(picture));
+    const PictureSettings legend{.map = overlay_map(look_->overlay),
+                                 .range = {look_->range.low, look_->range.high},
+                                 .quantity = name_of(look_->overlay),
+                                 .unit = look_->overlay == Overlay::elevation ? "m" : "W/m\u00b2",
+                                 .time_s = frame.surface.time_s,
+                                 .length_bar = false};
+    write_file(image("scene", "png"), encode_png(framed_picture(picture, legend, frame.scene.clipped)));
 }
 
 ValueRange Outputs::elevation_range(const FrameFiles& frame) {

@@ -13,6 +13,7 @@
 #include "export/runup.hpp"
 #include "scenarios/resolve.hpp"
 #include "scenarios/resolve_light.hpp"
+#include "scenarios/resolve_picture.hpp"
 #include "sim/error.hpp"
 
 namespace waterlight {
@@ -51,6 +52,10 @@ Field<float> wet_part(const Surface& surface, double wet_m) {
     return shown;
 }
 
+fs::path image_name(const std::string& name, int frame, const char* extension) {
+    return fs::path("images") / fmt::format("{}_{:06}.{}", name, frame, extension);
+}
+
 std::vector<std::string> columns_of_ledgers(const Scenario& scenario) {
     std::vector<std::string> columns;
     const auto add = [&](const std::string& follower) {
@@ -85,6 +90,10 @@ Surface copy_of(const Surface& surface, const OutputSection& settings, double st
 
 }  // namespace
 
+std::string guide_line(const fs::path& path, const std::string& what) {
+    return fmt::format("  {:<40} {}", path.string(), what);
+}
+
 std::size_t FrameFiles::bytes() const {
     std::size_t count =
         surface.elevation.size() + surface.slope_x.size() + surface.slope_y.size() + irradiance.size() + shown.size();
@@ -94,27 +103,28 @@ std::size_t FrameFiles::bytes() const {
     for (const BandFiles& band : bands) count += band.irradiance.size();
     count += plane_irradiance.size() + scalar_irradiance.size() + radiance.size();
     count += floor_error.size() + waves_error.size();
-    return count * sizeof(float);
+    return count * sizeof(float) + scene.image.pixels.size();
 }
 
-Outputs::Outputs(const RunFolder& folder, const Scenario& scenario, double still_irradiance, StateArchive* state)
+Outputs::Outputs(const RunFolder& folder, const Scenario& scenario, StateArchive* state)
     : place_(folder),
       folder_(folder.path()),
       settings_(scenario.output),
       depth_m_(scenario.domain.depth_m),
       wet_m_(scenario.waves.wet_m.value_or(ShallowWaterSettings{}.wet_m)),
-      irradiance_max_(settings_.irradiance_max_w_m2.value_or(still_irradiance > 0 ? 3 * still_irradiance : 1)),
+      irradiance_max_(irradiance_max(scenario)),
       surface_series_(folder_, "surface", settings_.compression),
       floor_series_(folder_, "floor", settings_.compression),
       volume_series_(folder_, "volume", settings_.compression),
       walls_series_(folder_, "walls", settings_.compression),
       camera_series_(folder_, "camera", settings_.compression),
       has_volume_(scenario.beams && scenario.beams->volume_cells),
-      has_picture_(scenario.camera.has_value()),
+      has_picture_(sees_scattered_light(scenario)),
       radiance_max_(scenario.camera ? scenario.camera->radiance_max : std::nullopt),
       radiance_decades_(scenario.camera ? scenario.camera->radiance_decades : std::nullopt) {
     if (scenario.floor) plan_ = floor_settings(scenario).plan;
     if (scenario.walls) walls_ = wall_settings(scenario);
+    if (scenario.output.image) look_ = look_of(scenario);
     if (state) exchange_state(*state);
     const auto open = [&](std::optional<ProbeTable>& table, const char* name, const std::vector<std::string>& columns,
                           std::uint64_t bytes) {
@@ -187,6 +197,7 @@ void Outputs::push(const FrameView& view, std::vector<double> probes) {
     if (view.picture) frame.radiance = view.picture->radiance.clone();
     if (view.floor_error && settings_.wants("vti")) frame.floor_error = view.floor_error->clone();
     if (view.waves_error && settings_.wants("vti")) frame.waves_error = view.waves_error->clone();
+    if (view.scene) frame.scene = *view.scene;
     const bool pictures = settings_.wants("png") || settings_.wants("png16");
     if (pictures && surface.depth) frame.shown = wet_part(surface, wet_m_);
     frame.probes = std::move(probes);
@@ -271,6 +282,7 @@ void Outputs::write(const FrameFiles& frame) {
     if (settings_.wants("png")) write_pictures(frame);
     if (settings_.wants("png16")) write_greys(frame);
     if (settings_.wants("exr")) write_exrs(frame);
+    if (look_) write_scene(frame);
     if (probes_) probes_->append(time_s, frame.probes);
     if (ledgers_) ledgers_->append(time_s, frame.ledgers);
     ++frame_;
@@ -278,10 +290,12 @@ void Outputs::write(const FrameFiles& frame) {
 
 fs::path Outputs::image(const std::string& name, const char* extension) {
     place_.require_present();
-    fs::path path = folder_ / "images" / fmt::format("{}_{:06}.{}", name, frame_, extension);
+    fs::path path = folder_ / image_name(name, frame_, extension);
     written_.insert(path);
     return path;
 }
+
+fs::path Outputs::scene_file(int frame) const { return folder_ / image_name("scene", frame, "png"); }
 
 void Outputs::settle() {
     queue_.finish();
@@ -305,9 +319,8 @@ std::optional<double> Outputs::last_checkpoint_s() {
 
 std::vector<std::string> Outputs::guide() const {
     std::vector<std::string> lines;
-    const auto add = [&](const fs::path& path, const std::string& what) {
-        lines.push_back(fmt::format("  {:<40} {}", path.string(), what));
-    };
+    const auto add = [&](const fs::path& path, const std::string& what) { lines.push_back(guide_line(path, what)); };
+    if (look_) add(folder_ / "images" / "scene_*.png", "the scene as the camera sees it: any image viewer");
     if (settings_.wants("png") || settings_.wants("png16"))
         add(folder_ / "images" / "*.png", "pictures: any image viewer");
     if (settings_.wants("vti")) {

@@ -16,16 +16,24 @@
 #include "caustics/light_ledger.hpp"
 #include "caustics/spectral_floor.hpp"
 #include "caustics/walls.hpp"
+#include "export/legend.hpp"
 #include "export/probes.hpp"
 #include "export/queue.hpp"
 #include "export/range.hpp"
 #include "export/series.hpp"
+#include "render/look.hpp"
 #include "scenarios/scenario.hpp"
 #include "sim/runup.hpp"
 #include "sim/shallow_water.hpp"
 #include "sim/surface.hpp"
 
 namespace waterlight {
+
+/// The scene as the camera sees it.
+struct ScenePicture {
+    ColourImage image;
+    Clipped clipped;  ///< of the overlay's values
+};
 
 /// What a frame shows; what the run does not compute is nullptr.
 struct FrameView {
@@ -36,7 +44,8 @@ struct FrameView {
     const Field<float>* floor_error = nullptr;  ///< of the irradiance, W/m2
     const Field<float>* waves_error = nullptr;  ///< of the elevation, m
     const WallMaps* walls = nullptr;
-    std::span<const BandMap> bands = {};    ///< of light in colour
+    std::span<const BandMap> bands = {};  ///< of light in colour
+    const ScenePicture* scene = nullptr;
     std::vector<LightLedger> ledgers = {};  ///< of the floor map, the beams and the walls, those there are
 };
 
@@ -58,18 +67,21 @@ struct FrameFiles {
     Field<float> plane_irradiance, scalar_irradiance;  ///< in the water; empty without fields
     Field<float> radiance;                             ///< empty without a camera
     Field<float> floor_error, waves_error;             ///< empty without an estimate
+    ScenePicture scene;                                ///< empty without a picture of it
     std::vector<double> probes;
     std::vector<double> ledgers;  ///< a row of ledger.csv
 
     std::size_t bytes() const;
 };
 
+/// One line that says where a file is and what opens it.
+std::string guide_line(const std::filesystem::path& path, const std::string& what);
+
 /// Writes frames into a folder beside the computation. Throws WorldError, then or with a later call.
 class Outputs {
   public:
-    /// `still_irradiance` (W/m2) is that of flat water. `state` is what a checkpoint kept, or null: from there it goes
-    /// on with the files that are in the folder.
-    Outputs(const RunFolder& folder, const Scenario& scenario, double still_irradiance, StateArchive* state);
+    /// `state` is what a checkpoint kept, or null: from there it goes on with the files that are in the folder.
+    Outputs(const RunFolder& folder, const Scenario& scenario, StateArchive* state);
 
     /// Copies what it needs and returns; waits only while the queue is full.
     void push(const FrameView& view, std::vector<double> probes);
@@ -91,6 +103,8 @@ class Outputs {
 
     double busy_s() const { return queue_.busy_s(); }
     double blocked_s() const { return queue_.blocked_s(); }
+    /// The picture of the scene of a frame, counted from 0.
+    std::filesystem::path scene_file(int frame) const;
     /// One line for each kind of file written: where it is and what opens it.
     std::vector<std::string> guide() const;
 
@@ -110,10 +124,12 @@ class Outputs {
     void write_wall_pictures(const FrameFiles& frame);
     void write_colour(const FrameFiles& frame);
     void write_radiance(const FrameFiles& frame);
+    void write_scene(const FrameFiles& frame);
     void write_greys(const FrameFiles& frame);
     void write_exrs(const FrameFiles& frame);
     /// Of the pictures: as the scenario says, else the largest so far, so that colours do not flicker.
     ValueRange elevation_range(const FrameFiles& frame);
+    /// Of the frame at hand.
     std::filesystem::path image(const std::string& name, const char* extension);
 
     const RunFolder& place_;
@@ -135,6 +151,7 @@ class Outputs {
     std::optional<double> radiance_max_;  ///< of the pictures: as the scenario says, else the largest so far
     std::optional<double> radiance_decades_;
     double radiance_so_far_ = 0;
+    std::optional<Look> look_;  ///< of pictures of the scene, where there are any
     std::optional<ProbeTable> probes_;
     std::optional<ProbeTable> ledgers_;                 ///< where light is followed
     std::uint64_t probe_bytes_ = 0, ledger_bytes_ = 0;  ///< of both, at the checkpoint

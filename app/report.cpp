@@ -83,7 +83,7 @@ Json beams_json(const BeamRecord& record, const Scenario& scenario, int frames) 
                           {"brightest_depth_m", record.brightest_depth_m},
                           {"sampled_every_s", record.sampled_every_s},
                           {"slices", slices_json(record.slices)}};
-    if (scenario.camera)
+    if (sees_scattered_light(scenario))
         json["camera"] = {{"mean_radiance_w_m2_sr", record.mean_radiance},
                           {"max_radiance_w_m2_sr", record.max_radiance},
                           {"beams", record.counts.beams},
@@ -135,7 +135,8 @@ Json wall_json(const StageTimes& wall) {
             {"caustics.beams", wall.beams},
             {"caustics.walls", wall.walls},
             {"accuracy", wall.accuracy},
-            {"render", 0.0},
+            {"render", wall.render},
+            {"movie", wall.movie},
             {"export", wall.export_busy},
             {"export_waited", wall.export_blocked},
             {"diagnostics", wall.diagnostics},
@@ -205,6 +206,7 @@ nlohmann::ordered_json report_json(const Scenario& scenario, const BackendDecisi
         json["walls"] = {{"backend", "cpu"},
                          {"ledger", ledgers_json(walls.sum, walls.last_ledger, walls.closure, record.frames)}};
     }
+    if (!record.picture_device.empty()) json["render"] = {{"device", record.picture_device}};
     if (record.shallow) json["shallow_water"] = shallow_json(*record.shallow);
     if (const Json light = probes_json(record.probes); !light.empty()) json["light_at_probes"] = light;
     json["mass_drift_m"] = record.waves.mass_drift_m;

@@ -27,6 +27,8 @@ struct StageTimes {
     double floor = 0;
     double beams = 0;
     double walls = 0;
+    double render = 0;  ///< of pictures of the scene
+    double movie = 0;   ///< of them at the end
     double accuracy = 0;
     double diagnostics = 0;
     double export_busy = 0;     ///< of the thread that writes
@@ -97,6 +99,7 @@ struct RunRecord {
     std::optional<AccuracyRecord> accuracy;
     std::optional<WallRecord> walls;
     std::optional<SeaRecord> sea;
+    std::string picture_device;  ///< that draws the scene; empty where none does
     std::optional<ShallowRecord> shallow;
     std::map<std::string, ProbeRecord> probes;
 };

@@ -13,7 +13,9 @@
 #include "app/check_watch.hpp"
 #include "app/checkpoint.hpp"
 #include "app/moments.hpp"
+#include "app/movie.hpp"
 #include "app/outputs.hpp"
+#include "app/picture_stage.hpp"
 #include "app/progress.hpp"
 #include "app/readings.hpp"
 #include "app/recorder.hpp"
@@ -26,7 +28,6 @@
 #include "gpu/error.hpp"
 #include "scenarios/build.hpp"
 #include "scenarios/reader.hpp"
-#include "scenarios/resolve_light.hpp"
 #include "sim/error.hpp"
 
 namespace waterlight {
@@ -74,6 +75,8 @@ class Run {
                         [&] { beams_.emplace(scenario, waves_, make_beam_renderer(backend_)); });
         if (scenario.walls) walls_.emplace(scenario);
         if (scenario.accuracy.estimate) accuracy_.emplace(scenario, waves_, backend_);
+        if (scenario.output.image) picture_.emplace(scenario, waves_, backend_, options.device);
+        if (picture_) recorder_.record().picture_device = picture_->context().device().name;
     }
 
     bool go() {
@@ -91,11 +94,13 @@ class Run {
         if (goes_on) state = restored();
         if (!options_.quiet) say_where_it_starts(goes_on);
         if (!goes_on) fs::remove(checkpoint());
-        Outputs outputs(folder, scenario_, still_irradiance(scenario_), state ? &*state : nullptr);
+        Outputs outputs(folder, scenario_, state ? &*state : nullptr);
         if (state) state->require_end();
         state.reset();
         fs::remove(out_ / "report.json");
         write_all(outputs);
+        if (options_.movie)
+            timed(wall().movie, [&] { write_movie(movie_file(), movie_pictures(outputs), movie_rate()); });
         reject_validation_messages();
         const bool all_pass = report(outputs);
         fs::remove(checkpoint());
@@ -109,7 +114,7 @@ class Run {
 
     /// What the run is at between two moments.
     void exchange_state(StateArchive& state) {
-        exchange_identity(state, identity_of(scenario_, backend_), checkpoint());
+        exchange_identity(state, identity_of(scenario_, backend_, recorder_.record().picture_device), checkpoint());
         state.value(next_);
         waves_.model->exchange_state(state);
         recorder_.exchange_state(state);
@@ -250,9 +255,11 @@ class Run {
             for (const Field<float>& map : walls_->maps().irradiance) require_finite("irradiance on a wall", map, now);
             require_finite("the walls", walls_->maps().ledger, now);
         }
-        if (!accuracy_) return;
-        timed(wall().accuracy, [&] { accuracy_->compute(*surface_, floor_ ? &map_ : nullptr); });
-        timed(wall().diagnostics, [&] { require_finite_errors(now); });
+        if (accuracy_) {
+            timed(wall().accuracy, [&] { accuracy_->compute(*surface_, floor_ ? &map_ : nullptr); });
+            timed(wall().diagnostics, [&] { require_finite_errors(now); });
+        }
+        if (picture_) timed(wall().render, [&] { picture_->draw(view()); });
     }
 
     /// What probes read between frames. The truth of a place needs no map.
@@ -318,14 +325,21 @@ class Run {
             checks_.add_row(time_s, recorder_.record().probes);
             if (is_checked) add_checked(time_s);
         });
+        FrameView frame = view();
+        if (picture_) frame.scene = &picture_->picture();
+        frame.ledgers = ledgers();
+        outputs.push(frame, std::move(probes));
+    }
+
+    /// What was computed of this frame.
+    FrameView view() const {
         const FrameFields now = fields();
-        FrameView view{now.surface, now.floor, now.volume, now.picture};
-        if (accuracy_) view.floor_error = accuracy_->floor_error();
-        if (accuracy_) view.waves_error = accuracy_->waves_error();
-        if (walls_) view.walls = &walls_->maps();
-        if (floor_) view.bands = floor_->bands();
-        view.ledgers = ledgers();
-        outputs.push(view, std::move(probes));
+        FrameView frame{now.surface, now.floor, now.volume, now.picture};
+        if (accuracy_) frame.floor_error = accuracy_->floor_error();
+        if (accuracy_) frame.waves_error = accuracy_->waves_error();
+        if (walls_) frame.walls = &walls_->maps();
+        if (floor_) frame.bands = floor_->bands();
+        return frame;
     }
 
     FrameFields fields() const {
@@ -375,6 +389,17 @@ class Run {
         outputs.push_row(time_s, std::move(probes));
     }
 
+    fs::path movie_file() const { return options_.movie->empty() ? out_ / "movie.mp4" : *options_.movie; }
+
+    double movie_rate() const { return options_.movie_speed / scenario_.output.every_s; }
+
+    std::vector<fs::path> movie_pictures(const Outputs& outputs) const {
+        std::vector<fs::path> pictures;
+        for (const int frame : regular_frames(moments_, scenario_.output.every_s))
+            pictures.push_back(outputs.scene_file(frame));
+        return pictures;
+    }
+
     void end(double time_s, Outputs& outputs) {
         if (!shallow_) return;
         timed(wall().diagnostics, [&] { shallow_->finish(*surface_, recorder_.record()); });
@@ -382,8 +407,9 @@ class Run {
     }
 
     void reject_validation_messages() const {
-        if (!backend_.context) return;
-        const std::vector<std::string> messages = backend_.context->validation_messages();
+        std::vector<std::string> messages;
+        if (backend_.context) messages = backend_.context->validation_messages();
+        if (messages.empty() && picture_) messages = picture_->context().validation_messages();
         if (!messages.empty())
             throw WorldError(fmt::format("the Vulkan validation layer has {} messages; the first: {}", messages.size(),
                                          messages.front()));
@@ -393,12 +419,14 @@ class Run {
         const RunRecord& record = completed();
         const std::vector<CheckResult> checks = judge(scenario_.checks, checks_.values());
         write_json(out_ / "report.json", report_json(scenario_, backend_, record, checks));
+        std::vector<std::string> guide = outputs.guide();
+        if (options_.movie) guide.push_back(guide_line(movie_file(), "the scene in time: any video player"));
         bool all_pass = true;
         for (const CheckResult& check : checks) all_pass = all_pass && (check.pass || check.is_left);
         if (options_.quiet)
             print_failures(checks);
         else
-            print_summary(scenario_, backend_, record, checks, outputs.guide());
+            print_summary(scenario_, backend_, record, checks, guide);
         return all_pass;
     }
 
@@ -414,6 +442,7 @@ class Run {
     std::optional<BeamStage> beams_;
     std::optional<WallStage> walls_;
     std::optional<AccuracyStage> accuracy_;
+    std::optional<PictureStage> picture_;
     Recorder recorder_;
     CheckWatch checks_;
     std::optional<ShallowWatch> shallow_;
@@ -430,6 +459,9 @@ class Run {
 
 bool run_scenario(const RunOptions& options) {
     const Scenario scenario = read_scenario(options.scenario, options.overrides);
+    if (options.movie && !scenario.output.image)
+        scenario.origin.reject("output.image", "false beside --movie", "true, with a [camera]");
+    if (options.movie) require_ffmpeg();
     if (scenario.decided && !scenario.decided->warning.empty())
         fmt::print(stderr, "waterlight: {}\n", scenario.decided->warning);
     const fs::path out = options.out.empty() ? fs::path("out") / options.scenario.stem() : options.out;

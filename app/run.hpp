@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct RunOptions {
     DeviceWish device;
     bool resume = false;  ///< go on from the checkpoint in `out`, where there is one
     bool quiet = false;
+    std::optional<std::filesystem::path> movie;  ///< of the pictures of the scene; an empty path: movie.mp4 in `out`
+    double movie_speed = 1;                      ///< simulated seconds a second of it, > 0
     /// The signal that asks the run to stop after the frame at hand, 0 while there is none; empty: nothing does.
     std::function<int()> stop_signal;
 };

@@ -26,8 +26,9 @@ namespace fs = std::filesystem;
 constexpr const char* our_names =
     "(surface|floor|volume|walls|camera)\\.pvd|(surface/surface|floor/floor|volume/volume|camera/camera|walls/"
     "(west|east|south|north))_[0-9]{6,}"
-    "\\.vti|images/(elevation|irradiance|radiance|colour|wall_(west|east|south|north))(16)?_[0-9]{6,}\\.(png|exr)|"
-    "(probes|ledger|runup)\\.csv|extremes\\.vti";
+    "\\.vti|images/"
+    "(elevation|irradiance|radiance|colour|scene|wall_(west|east|south|north))(16)?_[0-9]{6,}\\.(png|exr)|"
+    "(probes|ledger|runup)\\.csv|extremes\\.vti|movie\\.mp4";
 /// And to those that come and go.
 constexpr const char* our_other_names = "report\\.json|checkpoint\\.bin";
 

@@ -5,11 +5,11 @@
 #include <glm/gtc/packing.hpp>
 
 #include "caustics/phase.hpp"
-#include "export/colour_map.hpp"
 #include "gpu/buffer.hpp"
 #include "gpu/commands.hpp"
 #include "render/frame.hpp"
 #include "render/kernels/tone.hpp"
+#include "render/overlay_map.hpp"
 #include "render/passes/basin.hpp"
 #include "render/passes/beams.hpp"
 #include "render/passes/sky.hpp"
@@ -24,7 +24,7 @@ constexpr std::uint32_t timed_passes = 128;
 
 /// The colour map whose shades the tone curve will give, as radiance in units of the exposure.
 std::vector<glm::vec4> palette_of(Overlay overlay) {
-    const ColourMap map = overlay == Overlay::elevation ? ColourMap::cool_warm : ColourMap::viridis;
+    const ColourMap map = overlay_map(overlay);
     std::vector<glm::vec4> palette(256);
     for (int k = 0; k < 256; ++k) {
         const Rgb c = colour(map, k / 255.0);

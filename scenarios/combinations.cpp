@@ -200,6 +200,7 @@ void check_combinations(const Scenario& s) {
     check_floor(s);
     check_beams(s);
     check_light(s);
+    check_picture(s);
     check_accuracy(s);
     check_probes(s);
     check_checks(s);

@@ -20,6 +20,8 @@ void check_sides(const Scenario& scenario);
 void check_shallow(const Scenario& scenario);
 /// Throws InputError where a camera or a probe in the water is stated without beams, or is not in the water.
 void check_beams(const Scenario& scenario);
+/// Throws InputError where a picture of the scene is asked for without a camera, or what it is to show is not there.
+void check_picture(const Scenario& scenario);
 /// Throws InputError where a check names what the run does not have, or contradicts itself.
 void check_checks(const Scenario& scenario);
 /// Throws InputError where the sun's disc or light in colour is stated beside what does not know it, or lists of one

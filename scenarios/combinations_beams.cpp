@@ -25,24 +25,32 @@ void check_ground(const Scenario& s) {
                             "depth_m of the probe, or model shallow-water");
 }
 
-/// Above the water a camera sees reflected light.
+/// Whether pictures of the scene are spoken of, be it that there are none for now.
+bool states_image(const Scenario& s) { return s.origin.places.contains("output.image"); }
+
+/// Above the water a camera sees reflected light, or the scene.
 void check_camera_in_air(const Scenario& s) {
     const double height = s.camera->camera.position_m.z;
-    const std::optional<ReflectedSection>& reflected = s.beams->reflected;
-    if (!reflected)
-        s.origin.reject(
-            "camera.position_m", fmt::format("a height of {} m", height),
-            fmt::format("a height in the water, in (-{}, 0), or caustics.beams.reflected beside it", s.domain.depth_m));
-    if (height >= reflected->height_m)
+    const bool reflects = s.beams && s.beams->reflected;
+    if (!reflects && states_image(s)) return;
+    if (!reflects)
         s.origin.reject("camera.position_m", fmt::format("a height of {} m", height),
-                        fmt::format("one below caustics.beams.reflected.height_m = {}", reflected->height_m));
+                        fmt::format("a height in the water, in (-{}, 0), or output.image = true or "
+                                    "caustics.beams.reflected beside it",
+                                    s.domain.depth_m));
+    const ReflectedSection& reflected = *s.beams->reflected;
+    if (height >= reflected.height_m)
+        s.origin.reject("camera.position_m", fmt::format("a height of {} m", height),
+                        fmt::format("one below caustics.beams.reflected.height_m = {}", reflected.height_m));
     if (s.beams->refine_below)
         s.origin.reject("caustics.beams.refine_below", "it beside a camera above the water", "a camera in the water");
 }
 
 void check_camera(const Scenario& s) {
     const Camera& c = s.camera->camera;
-    if (!s.beams) s.origin.reject("camera", "it without [caustics.beams]", "[caustics.beams] in the scenario");
+    if (!s.beams && !states_image(s))
+        s.origin.reject("camera", "it without [caustics.beams]",
+                        "[caustics.beams] or output.image = true in the scenario");
     if (looks_from_air(s))
         check_camera_in_air(s);
     else if (!(c.position_m.z < 0 && (has_ground(s) || c.position_m.z > -s.domain.depth_m)))

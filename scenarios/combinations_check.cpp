@@ -30,7 +30,8 @@ std::string_view lacking_section(const Scenario& s, const std::string& quantity)
     if (quantity.starts_with("beams.")) return s.beams ? "" : "[caustics.beams]";
     if (quantity.starts_with("walls.")) return s.walls ? "" : "[caustics.walls]";
     if (quantity.starts_with("volume.")) return s.beams && s.beams->volume_cells ? "" : "caustics.beams.volume_cells";
-    if (quantity.starts_with("camera.")) return s.camera ? "" : "[camera]";
+    if (quantity.starts_with("camera."))
+        return sees_scattered_light(s) ? "" : s.camera ? "beams that the camera sees" : "[camera]";
     if (quantity.starts_with("sea.")) return s.waves.spectrum || s.waves.buoy ? "" : "waves.spectrum or waves.buoy";
     if (is_in_water(s, quantity)) return "";
     if (quantity.ends_with(".scalar_irradiance")) return "depth_m of that probe";

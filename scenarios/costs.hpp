@@ -26,6 +26,8 @@ constexpr double picture_pixel_column_frame = 3.7e-9;
 constexpr double disc_factor = 1.25, disc_factor_a_pixel = 0.16;  // of the map, and for each pixel of the disc's radius
 constexpr double relief_pixel_frame = 150 * floor_parallelogram_frame;  // light/ground
 constexpr double wall_cell_frame = 18 * floor_parallelogram_frame;      // light/walls, four pixels of the map a cell
+// A picture of the scene on a Vulkan device that is the CPU (pool, 480 x 270 and 960 x 540 pixels, 1 and 4 samples).
+constexpr double scene_frame = 40e-3, scene_pixel_frame = 150e-9, scene_sample_frame = 100e-9;
 constexpr double file_cell_frame =
     10e-9;  // a cell or a pixel of a field and its picture, written by a thread of its own
 

@@ -46,8 +46,8 @@ std::string Range::text() const {
 
 std::string allowed(const Key& key, const Target& target) {
     const auto number = [&](auto*) { return with_range("number", key.range); };
-    const auto numbers = [&](auto*) {
-        return key.range.text().empty() ? std::string("two numbers") : with_range("two numbers, each", key.range);
+    const auto numbers = [&](const std::string& count) {
+        return key.range.text().empty() ? count : with_range(count + ", each", key.range);
     };
     const auto text = [](auto*) { return std::string("text"); };
     return std::visit(
@@ -55,12 +55,13 @@ std::string allowed(const Key& key, const Target& target) {
                    [&](int*) { return with_range("integer", key.range); },
                    [&](std::uint64_t*) { return std::string("integer >= 0"); },
                    [](bool*) { return std::string("true or false"); }, [&](std::string* t) { return text(t); },
-                   [&](std::optional<std::string>* t) { return text(t); }, [&](glm::dvec2* t) { return numbers(t); },
-                   [&](std::optional<glm::dvec2>* t) { return numbers(t); },
+                   [&](std::optional<std::string>* t) { return text(t); },
+                   [&](glm::dvec2*) { return numbers("two numbers"); },
+                   [&](std::optional<glm::dvec2>*) { return numbers("two numbers"); },
                    [&](glm::ivec2*) {
                        return with_range("two integers, each", key.range) + (key.otherwise == "auto" ? " or auto" : "");
                    },
-                   [](glm::dvec3*) { return std::string("three numbers"); },
+                   [&](glm::dvec3*) { return numbers("three numbers"); },
                    [&](std::optional<glm::ivec3>*) { return with_range("three integers, each", key.range); },
                    [](std::vector<std::string>*) { return std::string("list of texts"); },
                    [](std::vector<Resolution>*) {

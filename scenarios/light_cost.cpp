@@ -43,7 +43,7 @@ double water_seconds(const Scenario& s, glm::ivec2 grid) {
     double seconds = 0;
     if (section.reflected) seconds += beams * costs::beam_frame;
     if (section.volume_cells) seconds += beams * section.volume_cells->z * costs::beam_slice_frame;
-    if (!s.camera) return seconds;
+    if (!sees_scattered_light(s)) return seconds;
     const double rays = product(s.camera->camera.size) / (s.camera->reduction * s.camera->reduction);
     seconds += rays * std::max(grid.x, grid.y) * costs::picture_pixel_column_frame;
     // The coarse grid once more, and one with four times the beams; of their rays half are left.
@@ -63,6 +63,12 @@ double light_seconds(const Scenario& s, const LightDemand& light, glm::ivec2 cel
     }
     if (!s.beams) return seconds;
     return seconds + moments * 2 * product(light.beams) * costs::beam_frame + frames * water_seconds(s, light.beams);
+}
+
+double scene_seconds(const Scenario& s) {
+    if (!s.output.image) return 0;
+    const double pixel = costs::scene_pixel_frame + s.picture.look.samples * costs::scene_sample_frame;
+    return frames_of_run(s) * (costs::scene_frame + product(s.camera->camera.size) * pixel);
 }
 
 }  // namespace waterlight

@@ -9,4 +9,7 @@ namespace waterlight {
 /// pixels and beams are known. A picture counts as if the beams filled it.
 double light_seconds(const Scenario& scenario, const LightDemand& light, glm::ivec2 cells);
 
+/// Of the pictures of the scene on a Vulkan device that is the CPU; a GPU takes far less.
+double scene_seconds(const Scenario& scenario);
+
 }  // namespace waterlight

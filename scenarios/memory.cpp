@@ -49,6 +49,12 @@ constexpr double strip_pixel = 5 * 4;
 // Of walls: the map, its power in double precision, what lands on it in lists, four that wait and their colours.
 constexpr double wall_pixel = 60;
 
+// Of a picture of the scene: the device's programs; its targets, by pixel and by sample of it; eight bits of three
+// colours, four of those that wait to be written and one at work.
+constexpr double scene_device = 64e6;
+constexpr double scene_sample = 4 * 4 + 4;
+constexpr double scene_pixel = 4 * 4 + 4 + 4 + 5 * 3;
+
 double bytes_per_cell(ModelChoice model) {
     if (model == ModelChoice::linear) return linear_cell;
     if (model == ModelChoice::shallow_water) return shallow_water_cell;
@@ -104,6 +110,10 @@ double bytes_of_walls(const Scenario& s) {
     return pixels * wall_pixel * std::max<double>(1, static_cast<double>(bands_of(s).size()));
 }
 
+double bytes_of_scene(const Scenario& s) {
+    return scene_device + product(s.camera->camera.size) * (scene_pixel + scene_sample * s.picture.look.samples);
+}
+
 std::string in_gib(double bytes) { return fmt::format("{:.3g} GiB", bytes / (1 << 30)); }
 
 double number_in_file(const char* path, const std::string& label) {
@@ -135,7 +145,8 @@ MemoryEstimate estimate_memory(const Scenario& scenario) {
         estimate.volume = v.x * v.y * v.z * volume_cell;
     }
     if (scenario.beams) estimate.beams = bytes_of_beams(*scenario.beams);
-    if (scenario.beams && scenario.camera) estimate.picture = bytes_of_picture(scenario);
+    if (sees_scattered_light(scenario)) estimate.picture = bytes_of_picture(scenario);
+    if (scenario.output.image) estimate.scene = bytes_of_scene(scenario);
     if (scenario.walls) estimate.walls = bytes_of_walls(scenario);
     if (!scenario.floor) return estimate;
     const glm::ivec2 pixels = scenario.floor->pixels;
@@ -186,7 +197,8 @@ std::vector<MemoryPart> parts_of(const Scenario& s, const MemoryEstimate& estima
         parts.push_back(
             {estimate.volume, "caustics.beams.volume_cells", fmt::format("[{}, {}, {}]", v.x, v.y, v.z), {}});
     }
-    if (s.camera) parts.push_back({estimate.picture, "camera.pixels", pair(s.camera->camera.size), {}});
+    if (s.camera)
+        parts.push_back({estimate.picture + estimate.scene, "camera.pixels", pair(s.camera->camera.size), {}});
     if (s.walls) parts.push_back({estimate.walls, "caustics.walls.pixel_m", fmt::format("{}", s.walls->pixel_m), {}});
     return parts;
 }

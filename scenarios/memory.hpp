@@ -14,8 +14,9 @@ struct MemoryEstimate {
     double volume = 0;   ///< for the fields in the water and the frames that wait
     double beams = 0;    ///< for the grids of beams and what each thread makes of them for fields
     double picture = 0;  ///< for the camera's picture, the strips it is drawn in, and the frames that wait
+    double scene = 0;    ///< for the picture of the scene, on a device that shares the memory, and those that wait
     double walls = 0;    ///< for their maps and the frames that wait
-    double total() const { return cells + pixels + volume + beams + picture + walls; }
+    double total() const { return cells + pixels + volume + beams + picture + scene + walls; }
 };
 
 /// Cells (times 2 for each pair of absorbing sides that has a hidden margin) x bytes a cell of the model, plus pixels x

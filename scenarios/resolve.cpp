@@ -141,6 +141,10 @@ BeamSettings reflected_settings(const Scenario& scenario) {
 
 bool looks_from_air(const Scenario& scenario) { return scenario.camera && scenario.camera->camera.position_m.z > 0; }
 
+bool sees_scattered_light(const Scenario& scenario) {
+    return scenario.camera && scenario.beams && (!looks_from_air(scenario) || scenario.beams->reflected);
+}
+
 BeamImageSettings beam_image_settings(const Scenario& scenario) {
     assert(scenario.camera);
     constexpr double dim = 6.9;  // ln 1000

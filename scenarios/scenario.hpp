@@ -16,6 +16,7 @@
 #include "scenarios/inflow.hpp"
 #include "scenarios/light_section.hpp"
 #include "scenarios/origin.hpp"
+#include "scenarios/picture_section.hpp"
 #include "sim/bathymetry.hpp"
 #include "sim/boundary.hpp"
 #include "sim/prescribed.hpp"
@@ -95,7 +96,7 @@ struct BeamsSection {
     std::optional<ReflectedSection> reflected;
 };
 
-/// A picture of the light that the water scatters.
+/// What sees the scene and the light that the water scatters.
 struct CameraSection {
     Camera camera;
     int samples = 1;
@@ -110,6 +111,7 @@ struct OutputSection {
     std::optional<double> probe_every_s;  ///< none: every_s
     double checkpoint_every_s = 60;       ///< of wall time; 0: never
     std::vector<std::string> formats{"vti", "png"};
+    bool image = false;  ///< a picture of the scene, as the camera sees it
     std::vector<std::string> fields{"elevation", "velocity", "depth"};
     Compression compression = Compression::none;
     std::optional<double> elevation_max_m;      ///< of the pictures; none: of each frame
@@ -155,6 +157,7 @@ struct Scenario {
     std::optional<BeamsSection> beams;
     std::optional<WallsSection> walls;
     std::optional<CameraSection> camera;
+    PictureSection picture;
     OutputSection output;
     std::vector<Probe> probes;
     std::vector<Check> checks;

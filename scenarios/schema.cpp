@@ -7,6 +7,7 @@
 #include "scenarios/schema_check.hpp"
 #include "scenarios/schema_light.hpp"
 #include "scenarios/schema_parts.hpp"
+#include "scenarios/schema_picture.hpp"
 #include "scenarios/schema_shallow.hpp"
 
 namespace waterlight {
@@ -228,6 +229,10 @@ void describe_output(Visitor& v, OutputSection& s) {
             &s.checkpoint_every_s);
     v.value({"formats", "", "What to write; png16 is 16-bit grey with its scale in the file."},
             Words{{"vti", "png", "png16", "exr"}, &s.formats});
+    v.value({"image", "",
+             "Whether to draw each frame as a picture of the scene too, images/scene_*.png, as [camera] sees it; by "
+             "Vulkan, on a GPU or on the CPU."},
+            &s.image);
     v.value(
         {"fields", "",
          "Arrays of surface/*.vti beside elevation; velocity where the model has it. max_elevation, max_speed and "
@@ -269,8 +274,14 @@ void describe(Visitor& v, Scenario& s) {
         in.optional_section({"walls", "", "Maps of irradiance on the walls, of sides with boundary \"wall\"."},
                             into(s.walls, describe_walls));
     });
-    v.optional_section({"camera", "", "A picture of the light that the water scatters; needs caustics.beams."},
-                       into(s.camera, describe_camera));
+    v.optional_section(
+        {"camera", "",
+         "What sees the scene (output.image) and, with caustics.beams, the light that the water scatters "
+         "alone."},
+        into(s.camera, describe_camera));
+    v.section(
+        {"picture", "", "What pictures of the scene show beside the fields of the run. None of it changes a field."},
+        [&s](Visitor& in) { describe_picture(in, s.picture); });
     v.section({"accuracy", "", "How wrong the run may be."}, [&s](Visitor& in) { describe_accuracy(in, s.accuracy); });
     v.section({"output", "", "What is written."}, [&s](Visitor& in) { describe_output(in, s.output); });
     v.list({"probe", "", "A gauge: elevation, and irradiance below it."},

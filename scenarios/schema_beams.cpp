@@ -94,8 +94,7 @@ void describe_camera(Visitor& v, CameraSection& s) {
     v.value({"position_m",
              "m",
              "Place of the camera, z up from still water: in the water, or beside a wall, and above the ground; or in "
-             "the air over "
-             "it, with caustics.beams.reflected.",
+             "the air over it, with output.image or caustics.beams.reflected.",
              {},
              true},
             &s.camera.position_m);
@@ -107,12 +106,14 @@ void describe_camera(Visitor& v, CameraSection& s) {
             &s.camera.fov_deg);
     v.value({"pixels", "", "Width and height of the picture.", counts}, &s.camera.size);
     v.value({"samples", "", "Sections of a ray's way through a beam.", {.low = 1, .high = 1024}}, &s.samples);
-    v.value({"reduction",
-             "",
-             "Draws one ray of so many each way and enlarges the picture, with the water's edges sharp.",
-             {.low = 1, .high = 16}},
-            &s.reduction);
-    v.value({"range_m", "m", "How far it sees; to there periodic sides repeat.", positive, false,
+    v.value(
+        {"reduction",
+         "",
+         "Of the scattered light, draws one ray of so many each way and enlarges the picture, with the water's edges "
+         "sharp.",
+         {.low = 1, .high = 16}},
+        &s.reduction);
+    v.value({"range_m", "m", "How far it sees scattered light; to there periodic sides repeat.", positive, false,
              "where a thousandth of the light is left, at most twice the domain"},
             &s.range_m);
     v.value({"radiance_max", "W/(m2 sr)", "Radiance at the bright end of the pictures' colours.", positive, false,

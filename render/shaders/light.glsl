@@ -24,8 +24,11 @@ vec3 calm_sun(vec2 place, float depth) {
 
 vec3 diffuse_absorption() { return vec3(s.absorption_r, s.absorption_g, s.absorption_b); }
 
-// What is left of the sun's light beyond what the fields know.
+bool shows_map() { return overlay == OVERLAY_FLOOR || overlay == OVERLAY_ERROR; }
+
+// What is left of the sun's light beyond what the fields know; of fields that are shown themselves, all.
 vec3 left_of_sun(float depth) {
+    if (shows_map()) return vec3(1);
     return uneven ? exp(-colours() * s.path * depth) : vec3(s.left_r, s.left_g, s.left_b);
 }
 
@@ -55,6 +58,7 @@ vec3 sun_on_floor(vec2 place, float depth, float width) {
         e = vec3(light_at(offset, stride, at), light_at(offset + plane, stride, at),
                  light_at(offset + 2 * plane, stride, at));
     }
+    if (overlay == OVERLAY_ERROR) return on_map ? e : vec3(0);
     return on_map ? e : calm_sun(place, depth);
 }
 
@@ -105,8 +109,8 @@ vec3 albedo_at(int wall, vec2 at, vec2 widths) {
 // Its radiance towards any direction. `width` is that of the footprint, `widths` on the pattern.
 vec3 radiance_in_water(int wall, vec3 place, float width, vec2 widths) {
     float depth = max(0, -place.z);
-    if (overlay == OVERLAY_FLOOR || overlay == OVERLAY_ERROR) {
-        vec3 shown = overlay_colour(dot(sun_on_floor(place.xy, 0, width), vec3(1.0 / 3)));
+    if (shows_map()) {
+        vec3 shown = overlay_colour(dot(sun_on_floor(place.xy, depth, width), vec3(1.0 / 3)));
         if (wall < 0) return shown;
     }
     vec3 calm = uneven ? calm_sun(place.xy, depth) : vec3(0);

@@ -22,7 +22,7 @@ struct Shortened {
 void PrintTo(const Shortened& shortened, std::ostream* stream) { *stream << shortened.name; }
 
 const std::vector<Shortened> runs{
-    {"pool", "1"},
+    {"pool", "1", {"camera.pixels=[96,54]"}},
     {"rain", "1"},
     {"standing_wave", "1"},
     {"wave_basin", "1"},

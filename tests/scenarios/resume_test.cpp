@@ -41,6 +41,11 @@ const std::vector<Kind> kinds{
     {"estimates",
      "[waves]\nmodel = \"shallow-water\"\nduration_s = 0.5\n" + disturbed + "[accuracy]\nestimate = true\n"},
     {"prescribed", "[waves]\nmodel = \"prescribed\"\nduration_s = 0.5\n[waves.gerstner]\nwaves = 6\n"},
+    {"pictures",
+     "[waves]\nmodel = \"airy\"\nduration_s = 0.5\n" + disturbed +
+         "[picture]\noverlay = \"elevation\"\nrange_high = 0.01\n[camera]\nposition_m = [1.0, -0.5, "
+         "0.8]\ntarget_m = [1.0, 0.8, 0.0]\npixels = [24, 16]\n",
+     {"--set", "output.image=true"}},
     {"beams", "[waves]\nmodel = \"airy\"\nduration_s = 0.5\n" + disturbed +
                   "[caustics.beams]\ngrid = [16, 12]\nvolume_cells = [16, 12, 4]\n[water]\nabsorption_per_m = 0.1\n"
                   "scattering_per_m = 0.2\n[camera]\nposition_m = [1.0, 0.1, -0.2]\ntarget_m = [1.0, 1.0, "
