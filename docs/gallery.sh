@@ -48,5 +48,5 @@ draw open_sea_below open_sea_below 1.0 --set camera.reduction=2
 draw rain rain 2.0 --set light.elevation_deg=60
 draw surf_zone surf_zone 9.0 --set light.elevation_deg=35 --set light.azimuth_deg=150 \
     --set picture.exposure_w_m2_sr=330
-draw harbour harbour 0.5 --set camera.reduction=2 --set camera.position_m=[3.0,0.5,-0.35] \
-    --set camera.target_m=[3.2,3.0,0.4] --set picture.exposure_w_m2_sr=120
+draw harbour harbour 0.5 --set camera.reduction=2 --set camera.position_m=[3.0,0.5,-0.6] \
+    --set camera.target_m=[3.3,2.0,0.9] --set camera.fov_deg=75 --set picture.exposure_w_m2_sr=90

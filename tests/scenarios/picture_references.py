@@ -23,7 +23,7 @@ TOLERANCE = 0.7
 COMMON = ["check=[]", "output.formats=[]", "output.image=true", "camera.pixels=[320,180]"]
 # Name, scenario, time (s), what is set, the other picture's settings.
 PICTURES = [
-    ("pool", "pool", 3.0, ["domain.cells=[256,192]", "caustics.floor.pixels=[512,384]"],
+    ("pool", "pool", 3.0, ["domain.cells=[256,192]", "caustics.floor.pixels=[512,384]", "camera.fov_deg=30"],
      {"sun": ["light.elevation_deg=55"], "tiles": ["picture.floor.tile_m=0.125", "picture.walls.tile_m=0.125"]}),
     ("pool_side", "pool_side", 2.0,
      ["domain.cells=[192,128]", "camera.reduction=2", "caustics.beams.volume_cells=[8,8,4]",
