@@ -34,7 +34,8 @@ static inline float exponential(float x) {
     const float r = held - n * 0.693359375F + n * 2.12194440e-4F;
     const float series =
         1 + r * (1 + r * (0.5F + r * (1.0F / 6 + r * (1.0F / 24 + r * (1.0F / 120 + r * (1.0F / 720))))));
-    return series * std::bit_cast<float>((static_cast<std::int32_t>(n) + 127) << 23);
+    const float whole = n == n ? n : 0;  // a NaN has no integer; it is in the series
+    return series * std::bit_cast<float>((static_cast<std::int32_t>(whole) + 127) << 23);
 }
 static inline double exponential(double x) { return std::exp(x); }
 

@@ -99,7 +99,7 @@ struct Ended {
 /// From the exact state at start_s to end_s.
 Ended run(const Precision& precision, const ShallowExact& state, const Grid& grid, const ShallowSides& sides,
           std::pair<double, double> start_end_s) {
-    const auto [start_s, end_s] = start_end_s;
+    const double start_s = start_end_s.first, end_s = start_end_s.second;
     ShallowWaterSettings settings = settings_of(state, grid, sides);
     set_initial({ExactStart{state, start_s}}, settings);
     Ended ended{precision.make(settings), 0, 0};

@@ -108,7 +108,8 @@ std::function<void()> make_yardstick() {
     s.plan = cover(grid, grid.nx, grid.ny);
     s.footprint = Footprint::pixel;
     s.sun = scene.sun;
-    auto all = std::make_shared<Yardstick>(test::sample(grid, periodic, scene.waves), make_floor_cpu(s), FloorMap{});
+    auto all = std::make_shared<Yardstick>(
+        Yardstick{test::sample(grid, periodic, scene.waves), make_floor_cpu(s), FloorMap{}});
     return [all] { all->mapper->compute(all->surface, all->map); };
 }
 
