@@ -79,8 +79,9 @@ InterfacePass::InterfacePass(std::shared_ptr<Context> context, const InterfaceAt
     fill(atlas_, atlas.opacity);
     commands_.upload(atlas_);
     commands_.run();
-    attempt("make the pass of the interface",
-            [&] { binding_ = Binding(context_->impl().device, 3, sizeof(Frame), Stage::eVertex | Stage::eFragment); });
+    attempt("make the pass of the interface", [&] {
+        binding_ = Binding(context_->impl().device, {.buffers = 3}, sizeof(Frame), Stage::eVertex | Stage::eFragment);
+    });
 }
 
 void InterfacePass::reserve(std::optional<Buffer>& buffer, std::size_t bytes) {
