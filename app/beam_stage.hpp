@@ -56,9 +56,13 @@ class BeamStage {
     void add_frame(double time_s);
     /// The beams alone: between frames, for irradiance_at(). Throws as compute().
     void compute_beams(const Surface& surface);
+    /// Heights of the ground that beams end on; null over a flat floor.
+    const BeamGround* ground() const { return ground_.get(); }
     BeamRecord record() const;
     /// Of the last frame taken into the record.
     const LightLedger& ledger() const { return record_.last_ledger; }
+    /// Of the beams computed last, whether taken into the record or not.
+    LightLedger frame_ledger() const { return light_ledger(beams_.ledger, scenario_.optics); }
     /// Gives the record so far to the archive, or takes it from there.
     void exchange_state(StateArchive& state);
     /// At a place below still water, of the beams computed last.

@@ -48,6 +48,14 @@ void WaveEstimate::advance(double seconds) {
     for (BuiltModel& other : others_) other.model->advance(seconds);
 }
 
+void WaveEstimate::disturb(std::span<const Disturbance> disturbances) {
+    for (BuiltModel& other : others_) other.model->disturb(disturbances);
+}
+
+void WaveEstimate::set_rain(std::span<const Rain> rain) {
+    for (BuiltModel& other : others_) other.model->set_rain(rain);
+}
+
 void WaveEstimate::exchange_state(StateArchive& state) {
     for (BuiltModel& other : others_) other.model->exchange_state(state);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "app/floor_stage.hpp"
@@ -22,6 +23,9 @@ class WaveEstimate {
 
     /// With the model itself.
     void advance(double seconds);
+    /// Likewise; throw as its own.
+    void disturb(std::span<const Disturbance> disturbances);
+    void set_rain(std::span<const Rain> rain);
     void compute(const Surface& surface);
     /// Gives the state of the other models to the archive, or takes it from there. The next frame computes the rest.
     void exchange_state(StateArchive& state);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/view/snapshot.hpp"
+#include "app/view/water_light.hpp"
 
 namespace waterlight {
 
@@ -20,17 +21,6 @@ struct SessionSettings {
     /// are all estimated.
     int estimate_every = 10;
 };
-
-/// The camera for which scattered light is drawn, where it is below still water; from above, fields in the water are
-/// computed in its place.
-struct BeamView {
-    Camera camera;
-    int samples = 1;    ///< as of BeamImageSettings, and the next
-    int reduction = 2;  ///< >= 1
-};
-
-/// What is computed of a frame, where the settings have it.
-enum class Part { floor, beams, walls };
 
 struct SessionStatus {
     bool plays = false;
