@@ -111,7 +111,8 @@ BackendDecision choose_backend(const DeviceWish& wish, const Scenario& scenario)
         return because("auto: no part of this scenario has a Vulkan back-end");
     if (!wants_vulkan && !gpu::has_real_gpu(gpu::survey()))
         return because("auto: no Vulkan device is a GPU, and a CPU computes faster by itself than through Vulkan");
-    auto context = std::make_shared<gpu::Context>(gpu::ContextSettings{wish.device, wish.validation});
+    auto context =
+        std::make_shared<gpu::Context>(gpu::ContextSettings{.device = wish.device, .validation = wish.validation});
     const std::string reason =
         wants_vulkan ? "stated on the command line" : "auto: " + context->selection().explanation;
     return {Backend::vulkan, context->device().name, reason, context};

@@ -21,6 +21,7 @@
 #include "app/sweep/command.hpp"
 #include "app/sweep/sweep.hpp"
 #include "app/version.hpp"
+#include "app/view/view.hpp"
 #include "gpu/error.hpp"
 #include "scenarios/document.hpp"
 #include "sim/error.hpp"
@@ -35,6 +36,8 @@ struct Arguments {
     RunOptions run;
     CheckOptions check;
     SweepOptions sweep;
+    ViewOptions view;
+    std::pair<int, int> view_size{1280, 720};
     std::string backend = "auto";
     int threads = 0;
     std::string movie;
@@ -73,6 +76,42 @@ void add_run(CLI::App& program, Arguments& args) {
         ->check(CLI::Range(1e-6, 1e6))
         ->type_name("X");
     run->add_flag("--quiet", args.run.quiet, "Say nothing but errors and failed checks");
+}
+
+void add_view(CLI::App& program, Arguments& args) {
+    CLI::App* view = program.add_subcommand("view", "Open a window on a running scenario");
+    view->footer(
+        "Example:\n  waterlight view scenarios/pool.toml --set domain.cells=[256,192]\n\n"
+        "Mouse: left click drops a ripple, shift and left drag pull a ball through the water, right drag goes round, "
+        "the wheel nearer. W A S D Q E fly, space plays and pauses, . steps, R starts again, P and F2 take a picture, "
+        "Escape closes.");
+    view->add_option("scenario", args.view.scenario, "Scenario file (.toml)")->required()->type_name("SCENARIO");
+    view->add_option("--set", args.view.overrides, "Another value for a key of the scenario; may be repeated")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->allow_extra_args(false)
+        ->take_all()
+        ->delimiter('\0');
+    view->add_option("--size", args.view_size, "Pixels of the window; default 1280x720")
+        ->delimiter('x')
+        ->check(CLI::Range(1, 16384).description(""))
+        ->type_name("WxH");
+    view->add_option("--backend", args.backend, "Where to compute: auto, cpu or vulkan")
+        ->check(CLI::IsMember({"auto", "cpu", "vulkan"}).description(""))
+        ->type_name("BACKEND");
+    view->add_option("--device", args.view.device.device, "Vulkan device, by index or part of its name; it draws, too")
+        ->type_name("NAME");
+    view->add_option("--threads", args.threads, "Threads of the CPU; default all")
+        ->check(CLI::Range(1, 4096))
+        ->type_name("N");
+    view->add_flag("--validate", args.view.device.validation,
+                   "Vulkan with its validation layer; a message of it fails at the end");
+    view->add_option("--frames", args.view.frames, "Close after so many pictures, and say how quickly they came")
+        ->check(CLI::Range(1, 1 << 30).description(""))
+        ->type_name("N");
+    view->add_option("--screenshot", args.view.screenshot,
+                     "Where pictures taken by P or F2 go; with --frames the last one too")
+        ->type_name("FILE");
 }
 
 void add_explain(CLI::App& program, Arguments& args) {
@@ -135,7 +174,7 @@ void add_schema(CLI::App& program, Arguments& args) {
 int execute(const CLI::App& program, Arguments& args) {
     const std::map<std::string, Backend> backends{
         {"auto", Backend::automatic}, {"cpu", Backend::cpu}, {"vulkan", Backend::vulkan}};
-    args.run.device.backend = backends.at(args.backend);
+    args.run.device.backend = args.view.device.backend = backends.at(args.backend);
     if (program.got_subcommand("schema")) {
         fmt::print("{}", args.json ? schema_json() : args.markdown ? schema_markdown() : schema_text());
         return done;
@@ -162,6 +201,12 @@ int execute(const CLI::App& program, Arguments& args) {
     if (args.threads > 0) omp_set_num_threads(args.threads);
     if (program.get_subcommand("run")->count("--movie") > 0) args.run.movie = args.movie;
     catch_stop_signals();
+    if (program.got_subcommand("view")) {
+        args.view.size = {args.view_size.first, args.view_size.second};
+        args.view.stop_signal = stop_signal;
+        view_scenario(args.view);
+        return done;
+    }
     args.run.stop_signal = stop_signal;
     return run_scenario(args.run) ? done : check_failed;
 }
@@ -177,6 +222,7 @@ int parse_and_execute(int argc, char** argv) {
     program.require_subcommand(1);
     args.check.program = argv[0];
     add_run(program, args);
+    add_view(program, args);
     add_explain(program, args);
     add_check(program, args);
     add_sweep(program, args.sweep);

@@ -6,6 +6,7 @@
 
 #include "app/floor_colours.hpp"
 #include "app/ground_heights.hpp"
+#include "app/scene_image.hpp"
 #include "caustics/beam_ground.hpp"
 #include "gpu/error.hpp"
 #include "scenarios/combinations.hpp"
@@ -101,21 +102,8 @@ Scene PictureStage::scene_of(const FrameView& frame) {
 
 void PictureStage::draw(const FrameView& frame) {
     renderer_.draw(scene_of(frame), look_, scenario_.camera->camera);
-    take_picture();
+    picture_.image = scene_image(renderer_);
     picture_.clipped = clipped(frame, look_);
-}
-
-/// From the lowest row up and with its alpha, to the top row first.
-void PictureStage::take_picture() {
-    const glm::ivec2 size = scenario_.camera->camera.size;
-    const std::vector<std::uint8_t> pixels = renderer_.read_picture();
-    ColourImage& image = picture_.image;
-    image = {size.x, size.y, std::vector<std::uint8_t>(3 * pixels.size() / 4)};
-    std::uint8_t* to = image.pixels.data();
-    for (int j = size.y - 1; j >= 0; --j) {
-        const std::uint8_t* from = pixels.data() + 4 * static_cast<std::ptrdiff_t>(j) * size.x;
-        for (int i = 0; i < size.x; ++i, from += 4, to += 3) std::copy_n(from, 3, to);
-    }
 }
 
 }  // namespace waterlight

@@ -27,7 +27,6 @@ class PictureStage {
   private:
     Scene scene_of(const FrameView& frame);
     void require_above_ground() const;
-    void take_picture();
 
     const Scenario& scenario_;
     Look look_;

@@ -72,6 +72,7 @@ struct Window::Impl {
     Library library;
     GLFWwindow* handle = nullptr;
     std::vector<WindowEvent> events;
+    glm::dvec2 mouse{0, 0};  // at the event at hand; GLFW's own answer is where it is by now
 
     Impl(const std::string& title, glm::ivec2 size);
     ~Impl() { glfwDestroyWindow(handle); }
@@ -105,7 +106,9 @@ void Window::Impl::listen() {
         event.button = button_of(button);
         of(window).events.push_back(event);
     });
-    glfwSetCursorPosCallback(handle, [](GLFWwindow* window, double, double) {
+    glfwGetCursorPos(handle, &mouse.x, &mouse.y);
+    glfwSetCursorPosCallback(handle, [](GLFWwindow* window, double x, double y) {
+        of(window).mouse = {x, y};
         of(window).events.push_back(of(window).event(Type::move, 0));
     });
     glfwSetScrollCallback(handle, [](GLFWwindow* window, double, double notches) {
@@ -117,12 +120,10 @@ void Window::Impl::listen() {
 
 // GLFW gives places in units of the screen, of which a pixel may be a part.
 WindowEvent Window::Impl::event(WindowEvent::Type type, int modifiers) const {
-    glm::dvec2 at;
     glm::ivec2 units, pixels;
-    glfwGetCursorPos(handle, &at.x, &at.y);
     glfwGetWindowSize(handle, &units.x, &units.y);
     glfwGetFramebufferSize(handle, &pixels.x, &pixels.y);
-    WindowEvent event{.type = type, .at = at * glm::dvec2(pixels) / glm::dvec2(glm::max(units, 1))};
+    WindowEvent event{.type = type, .at = mouse * glm::dvec2(pixels) / glm::dvec2(glm::max(units, 1))};
     event.shift = (modifiers & GLFW_MOD_SHIFT) != 0;
     event.control = (modifiers & GLFW_MOD_CONTROL) != 0;
     return event;
@@ -136,7 +137,8 @@ Window::Window(const std::string& title, glm::ivec2 size) {
 Window::~Window() = default;
 
 glm::ivec2 Window::size() const {
-    if (glfwGetWindowAttrib(impl_->handle, GLFW_ICONIFIED)) return {0, 0};
+    const bool is_seen = glfwGetWindowAttrib(impl_->handle, GLFW_VISIBLE) != 0;
+    if (!is_seen || glfwGetWindowAttrib(impl_->handle, GLFW_ICONIFIED)) return {0, 0};
     glm::ivec2 pixels;
     glfwGetFramebufferSize(impl_->handle, &pixels.x, &pixels.y);
     return pixels;

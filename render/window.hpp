@@ -36,7 +36,7 @@ class Window {
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    /// Pixels; zero while it is minimised.
+    /// Pixels; zero while it is minimised or hidden.
     glm::ivec2 size() const;
     /// How many pixels large what is one pixel on a common screen.
     double scale() const;

@@ -6,9 +6,9 @@ namespace waterlight {
 
 namespace {
 
-constexpr double longest_ms = 70, spare_ms = 35;  // twice as long leaves the interface above ten pictures a second
-constexpr int most = 4;
-constexpr int settled = 5;  // pictures, after which a time counts: the first of a size allocates
+constexpr double longest_ms = 70, spare_ms = 35;  // at twice as long the interface is above ten pictures a second
+constexpr int most = 8;
+constexpr int settled = 2;  // pictures, after which a time counts: the first of a size allocates
 
 }  // namespace
 
@@ -18,15 +18,13 @@ glm::ivec2 PictureSize::of(glm::ivec2 window, int wished) const {
 
 void PictureSize::learn(double draw_ms) {
     if (++since_change_ < settled) return;
+    const int before = divisor_;
     const auto at_divisor = [&](int divisor) {
-        const double finer = static_cast<double>(divisor_) / divisor;
+        const double finer = static_cast<double>(before) / divisor;
         return draw_ms * finer * finer;
     };
-    const int before = divisor_;
-    if (draw_ms > longest_ms && divisor_ < most)
-        ++divisor_;
-    else if (divisor_ > 1 && at_divisor(divisor_ - 1) < spare_ms)
-        --divisor_;
+    while (divisor_ < most && at_divisor(divisor_) > longest_ms) ++divisor_;
+    if (divisor_ == before && divisor_ > 1 && at_divisor(divisor_ - 1) < spare_ms) --divisor_;
     if (divisor_ != before) since_change_ = 0;
 }
 

@@ -5,7 +5,7 @@
 
 namespace waterlight {
 
-/// Divides the sides of pictures by 1, 2, 3 or 4: by more while drawing takes longer than it may, by less again once
+/// Divides the sides of pictures by 1 to 8: by more while drawing takes longer than it may, by less again once
 /// there is time to spare.
 class PictureSize {
   public:

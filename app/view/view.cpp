@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <deque>
 
+#include "app/progress.hpp"
 #include "app/run.hpp"
 #include "app/view/controls.hpp"
 #include "app/view/panels.hpp"
@@ -34,6 +36,13 @@ std::string title_of(const Scenario& scenario, const std::filesystem::path& file
 std::shared_ptr<gpu::Context> open_device(const ViewOptions& options, const Window& window) {
     return std::make_shared<gpu::Context>(gpu::ContextSettings{
         .device = options.device.device, .validation = options.device.validation, .window_system = window.system()});
+}
+
+// Where nothing says that the session computes on Vulkan, the device and its validation are for drawing.
+DeviceWish for_session(DeviceWish wish) {
+    if (wish.backend != Backend::vulkan) wish.validation = false;
+    if (wish.backend == Backend::cpu) wish.device.clear();
+    return wish;
 }
 
 /// How many pictures a second, of those of the last second.
@@ -72,15 +81,18 @@ class View {
           interface_(window_),
           presenter_(context_, window_.surface(), interface_.atlas()),
           renderer_(context_),
-          session_(scenario_, options.device),
+          session_(scenario_, for_session(options.device)),
           state_(initial_state(scenario_, options.size)),
           controls_(session_, state_),
-          panels_(session_, state_, options.device, options.scenario) {}
+          panels_(session_, state_, for_session(options.device), options.scenario) {
+        if (options.frames) progress_.emplace(stderr, static_cast<int>(*options.frames), false, "picture");
+    }
 
     void run() {
         const Clock::time_point start = Clock::now();
         while (!is_over()) frame();
         if (!options_.screenshot.empty() && options_.frames) write(options_.screenshot);
+        progress_.reset();
         if (options_.frames) say_rates(seconds_since(start));
         reject_validation_messages();
     }
@@ -88,7 +100,7 @@ class View {
   private:
     bool is_over() const {
         if (const int signal = options_.stop_signal ? options_.stop_signal() : 0)
-            throw Interrupted{signal, fmt::format("signal {}", signal)};
+            throw Interrupted{signal, signal == SIGINT ? "SIGINT" : "SIGTERM"};
         return window_.closing() || state_.closes || (options_.frames && shown_ >= *options_.frames);
     }
 
@@ -107,7 +119,7 @@ class View {
         interface_.begin();
         panels_.draw(*snapshot, status, times_);
         const gpu::InterfaceDrawing& panels = interface_.end();
-        draw(*snapshot, picture_size_.of(size, state_.reduction));
+        draw(*snapshot, picture_size(*snapshot, size));
         present(panels, size);
         if (state_.wants_screenshot) take_screenshot(*snapshot);
     }
@@ -132,17 +144,31 @@ class View {
         look_sent_ = session_.look(BeamView{.camera = state_.camera});
     }
 
-    void draw(const Snapshot& snapshot, glm::ivec2 size) {
+    Drawn wanted(const Snapshot& snapshot, glm::ivec2 size) const {
         Drawn wanted{snapshot.number, state_.camera, state_.look};
         wanted.camera.size = size;
-        if (wanted == drawn_) return;
+        return wanted;
+    }
+
+    /// As quick as it must be; the window's own size once nothing has moved for a while.
+    glm::ivec2 picture_size(const Snapshot& snapshot, glm::ivec2 window) const {
+        constexpr double while_s = 0.3;
+        const bool is_still = wanted(snapshot, drawn_.camera.size) == drawn_;
+        if (state_.reduction == 0 && is_still && seconds_since(drawn_at_) > while_s) return window;
+        return is_still && drawn_.camera.size == window ? window : picture_size_.of(window, state_.reduction);
+    }
+
+    void draw(const Snapshot& snapshot, glm::ivec2 size) {
+        const Drawn now = wanted(snapshot, size);
+        if (now == drawn_) return;
         const Clock::time_point start = Clock::now();
-        renderer_.draw(snapshot.scene(), state_.look, wanted.camera);
+        renderer_.draw(snapshot.scene(), state_.look, now.camera);
         times_.draw_ms = 1e3 * seconds_since(start);
         times_.passes = renderer_.stage_times();
         times_.picture = size;
-        if (state_.reduction == 0) picture_size_.learn(times_.draw_ms);
-        drawn_ = wanted;
+        if (size == picture_size_.of(state_.camera.size, 0)) picture_size_.learn(times_.draw_ms);
+        drawn_ = now;
+        drawn_at_ = Clock::now();
         ++pictures_;
     }
 
@@ -155,6 +181,7 @@ class View {
         rate_.count();
         times_.shown_hz = rate_.per_second();
         ++shown_;
+        if (progress_) progress_->show(shown_);
     }
 
     void take_screenshot(const Snapshot& snapshot) {
@@ -205,10 +232,12 @@ class View {
     FrameTimes times_;
     Rate rate_;
     Drawn drawn_;
+    Clock::time_point drawn_at_;
     Camera seen_from_;
     Session::Ticket look_sent_ = 0;
     Clock::time_point turn_;
-    std::int64_t shown_ = 0, pictures_ = 0;
+    int shown_ = 0, pictures_ = 0;
+    std::optional<Progress> progress_;
 };
 
 }  // namespace

@@ -1,7 +1,6 @@
 // The command `view`: a window on a running scenario.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <glm/vec2.hpp>
@@ -18,7 +17,7 @@ struct ViewOptions {
     std::vector<std::string> overrides;
     DeviceWish device;  ///< its name is of the device that draws, too
     glm::ivec2 size{1280, 720};
-    std::optional<std::int64_t> frames;  ///< closes after so many pictures, and says how quickly they came
+    std::optional<int> frames;  ///< closes after so many pictures, and says how quickly they came
     std::filesystem::path screenshot;    ///< where screenshots go, the last picture too; empty: files of their own
     std::function<int()> stop_signal;    ///< as of RunOptions
 };

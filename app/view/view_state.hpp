@@ -26,8 +26,8 @@ struct ViewState {
     bool closes = false;
 };
 
-/// The scenario's own camera, or one from which the whole water is seen from above; drops and a sphere that fit the
-/// water and its cells.
+/// The scenario's own camera and look, or a camera from which the whole water is seen from above; drops and a sphere
+/// that fit the water and its cells. Throws InputError where the range of an overlay is not known.
 ViewState initial_state(const Scenario& scenario, glm::ivec2 window_size);
 
 }  // namespace waterlight

@@ -78,7 +78,7 @@ class VirtualDisplay {
         const int nothing = ::open("/dev/null", O_WRONLY);
         ::dup2(nothing, STDERR_FILENO);
         ::execl("/usr/bin/Xvfb", "Xvfb", "-displayfd", to.c_str(), "-screen", "0", "1280x800x24", "-fbdir",
-                folder.c_str(), "-nolisten", "tcp", nullptr);
+                folder.c_str(), "-nolisten", "tcp", "-noreset", nullptr);
         ::_exit(127);
     }
 
