@@ -17,8 +17,8 @@ namespace waterlight {
 /// --set KEY=VALUE): KEY: found X; allowed: Y.
 Scenario read_scenario(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
-/// The same of the text that another scenario came from, whatever its file holds by now, with these overrides in place of
-/// its own.
+/// The same of the text that another scenario came from, whatever its file holds by now, with these overrides in place
+/// of its own.
 Scenario read_again(const Origin& origin, const std::vector<std::string>& overrides);
 
 /// The same before anything is chosen: is_open() where it leaves something to settle().

@@ -14,6 +14,10 @@ namespace {
 
 std::string key_of(const std::string& override) { return override.substr(0, override.find('=')); }
 
+bool is_within(const std::string& key, const std::string& section) {
+    return key.starts_with(section + ".") || key.starts_with(section + "[");
+}
+
 /// The source [[waves.source]] number `n` that is this drop.
 std::string source_text(std::size_t n, const Drop& d) {
     return fmt::format(
@@ -27,8 +31,11 @@ std::string source_text(std::size_t n, const Drop& d) {
 std::vector<std::string> Edits::with(const std::vector<std::string>& more) const {
     std::vector<std::string> all = overrides();
     for (const std::string& override : more) {
-        std::erase_if(all, [&](const std::string& other) { return key_of(other) == key_of(override); });
-        all.push_back(override);
+        const bool takes_back = override.find('=') == std::string::npos;
+        std::erase_if(all, [&](const std::string& other) {
+            return key_of(other) == key_of(override) || (takes_back && is_within(key_of(other), override));
+        });
+        if (!takes_back) all.push_back(override);
     }
     return all;
 }

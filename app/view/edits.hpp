@@ -17,7 +17,7 @@ class Edits {
     const Origin& origin() const { return origin_; }
     /// All "key=value" that were laid over the text, the later over the earlier; each key once.
     const std::vector<std::string>& overrides() const { return origin_.overrides; }
-    /// Those and more.
+    /// Those and more; one without "=" takes back what was laid over that key and within it.
     std::vector<std::string> with(const std::vector<std::string>& more) const;
     void set(std::vector<std::string> overrides) { origin_.overrides = std::move(overrides); }
 

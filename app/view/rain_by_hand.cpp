@@ -15,6 +15,9 @@ namespace {
 /// Some hundred drops a frame: beyond it rain only costs.
 constexpr double most_drops_per_s = 5000;
 
+/// A scenario's rain must end after it begins: what ends so soon does not fall.
+constexpr double no_time_s = 1e-9;
+
 void require_rate(const Scenario& scenario, double rate) {
     const double area = scenario.domain.size_m.x * scenario.domain.size_m.y;
     if (rate > 0 && rate * area <= most_drops_per_s) return;
@@ -40,8 +43,7 @@ std::vector<std::string> rain_overrides(const Scenario& scenario, std::optional<
     bool falls = false;
     const std::vector<Source>& sources = scenario.waves.sources;
     for (std::size_t n = 0; n < sources.size(); ++n) {
-        const auto* rain = std::get_if<Rain>(&sources[n]);
-        if (!rain) continue;
+        if (!std::holds_alternative<Rain>(sources[n])) continue;
         const std::string key = fmt::format("waves.source[{}]", n);
         if (drops_per_m2_s && !falls) {
             falls = true;
@@ -49,7 +51,8 @@ std::vector<std::string> rain_overrides(const Scenario& scenario, std::optional<
             overrides.push_back(key + ".start_s=0.0");
             overrides.push_back(key + ".end_s=1e30");
         } else {
-            overrides.push_back(fmt::format("{}.end_s={:.17g}", key, rain->start_s));
+            overrides.push_back(key + ".start_s=0.0");
+            overrides.push_back(fmt::format("{}.end_s={}", key, no_time_s));
         }
     }
     if (drops_per_m2_s && !falls) overrides.push_back(new_rain(scenario, sources.size(), *drops_per_m2_s));
@@ -59,7 +62,8 @@ std::vector<std::string> rain_overrides(const Scenario& scenario, std::optional<
 std::vector<Rain> rain_of(const Scenario& scenario) {
     std::vector<Rain> all;
     for (const Source& source : scenario.waves.sources)
-        if (const auto* rain = std::get_if<Rain>(&source); rain && rain->start_s < rain->end_s) all.push_back(*rain);
+        if (const auto* rain = std::get_if<Rain>(&source); rain && rain->end_s > rain->start_s + no_time_s)
+            all.push_back(*rain);
     return all;
 }
 

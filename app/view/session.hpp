@@ -91,9 +91,9 @@ class Session {
     /// defaults; one that is left out stays.
     Ticket compute(Part part, bool on);
     /// Lays "key=value" over the settings, as --set does: "waves.model=linear", "domain.cells=[256,192]",
-    /// "caustics.floor.footprint=pixel", "caustics.beams.grid=[64,64]", "accuracy.estimate=true". All of them or none.
-    /// The water goes on where the new model can take its state: same model, cells, sides and back-end; else it starts
-    /// again, and the status has a note.
+    /// "caustics.floor.footprint=pixel", "caustics.beams.grid=[64,64]", "accuracy.estimate=true"; a key alone takes
+    /// back what was laid over it. All of them or none. The water goes on where the new model can take its state: same
+    /// model, cells, sides and back-end; else it starts again, and the status has a note.
     Ticket set(std::vector<std::string> overrides);
     /// As --backend and --device. Only a shallow-water model starts again.
     Ticket set_device(const DeviceWish& device);

@@ -151,7 +151,7 @@ TEST_F(SessionTest, SavesWhatWasSet) {
     EXPECT_EQ(rain.radius_m, there.radius_m);
     session.await(session.rain(std::nullopt));
     session.save(folder_ / "saved.toml");
-    EXPECT_EQ(std::get<Rain>(read_scenario(folder_ / "saved.toml").waves.sources[0]).end_s, 0);
+    EXPECT_LE(std::get<Rain>(read_scenario(folder_ / "saved.toml").waves.sources[0]).end_s, 1e-9);
     EXPECT_NE(session.text().find("# high"), std::string::npos);
     EXPECT_THROW(session.save("/proc/none/saved.toml"), WorldError);
 }
@@ -160,8 +160,9 @@ TEST_F(SessionTest, KeepsTheWaterWhereLightAloneChanges) {
     Session session(scenario(), cpu, by_hand);
     session.drop({1, 0.7}, 0.1, 0.01);
     const auto before = after(session, session.step());
-    for (const char* change : {"caustics.floor.footprint=pixel", "caustics.floor.pixels=[16, 12]",
-                               "caustics.floor.method=truth", "water.absorption_per_m=0.1", "waves.duration_s=3.0"}) {
+    for (const char* change :
+         {"caustics.floor.footprint=pixel", "caustics.floor.pixels=[16, 12]", "caustics.floor.footprint",
+          "caustics.floor.method=truth", "water.absorption_per_m=0.1", "waves.duration_s=3.0"}) {
         const auto now = after(session, session.set({change}));
         EXPECT_EQ(session.status().refusal, "") << change;
         EXPECT_EQ(session.status().note, "") << change;
@@ -478,7 +479,8 @@ TEST_P(Shipped, IsReadBackAsItWasSaved) {
 std::vector<fs::path> shipped() {
     std::vector<fs::path> files;
     for (const auto& entry : fs::recursive_directory_iterator(WATERLIGHT_SOURCE "/scenarios"))
-        if (entry.path().extension() == ".toml") files.push_back(entry.path());
+        if (entry.path().extension() == ".toml" && entry.path().parent_path().filename() != "refused")
+            files.push_back(entry.path());
     std::ranges::sort(files);
     return files;
 }
