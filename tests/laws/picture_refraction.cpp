@@ -59,6 +59,7 @@ class PictureRefraction : public GpuTest {
         Scene scene;
         scene.surface = &surface;
         scene.depth_m = depth_m;
+        scene.sun = {.elevation_deg = 50, .azimuth_deg = 90, .irradiance_w_m2 = 900};  // its mirror image is elsewhere
         Look look = plain_look(0.8);
         look.floor.pattern = Finish::Pattern::tiles;
         look.floor.tile_m = tile_m;
@@ -79,6 +80,7 @@ class PictureRefraction : public GpuTest {
         int joints = 0;
         for (double x = tile_m * std::ceil(first / tile_m); x < last; x += tile_m, ++joints) {
             const double predicted = view.row_of(x);
+            if (view.row_of(x + tile_m) - predicted < 24) break;  // finer joints are not told apart
             worst = std::max(worst, std::abs(dark_centre(seen, predicted) - predicted));
         }
         EXPECT_GE(joints, 4);
