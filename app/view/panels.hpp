@@ -48,6 +48,8 @@ class Panels {
     std::array<char, 512> file_{};  // to save to
     Session::Ticket chosen_ = 0;    // the last choice: a refusal of one before is no longer shown
 
+    double estimate_ms_ = 0;  // of the last estimate: not every frame has one
+
     Draft<float> speed_, elevation_, azimuth_, rain_rate_;
     Draft<bool> rains_, has_floor_, has_beams_, has_walls_, estimates_, window_is_auto_;
     Draft<int> model_, method_, footprint_, backend_;

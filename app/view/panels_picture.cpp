@@ -99,7 +99,8 @@ void Panels::draw_costs(const Snapshot& snapshot, const SessionStatus& status, c
         row("floor", costs.floor_ms, percent(snapshot.estimates.floor_rmse));
         row("walls", costs.walls_ms);
         row("beams", costs.beams_ms);
-        row("estimate", costs.estimate_ms);
+        if (costs.estimate_ms > 0) estimate_ms_ = costs.estimate_ms;
+        row("estimate", snapshot.scenario->accuracy.estimate ? estimate_ms_ : 0);
         row("picture", times.draw_ms);
         row("window", times.present_ms);
         ImGui::EndTable();

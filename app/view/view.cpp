@@ -119,7 +119,7 @@ class View {
         interface_.begin();
         panels_.draw(*snapshot, status, times_);
         const gpu::InterfaceDrawing& panels = interface_.end();
-        draw(*snapshot, picture_size(*snapshot, size));
+        draw(*snapshot, picture_size(*snapshot, size, !status.plays));
         present(panels, size);
         if (state_.wants_screenshot) take_screenshot(*snapshot);
     }
@@ -150,12 +150,13 @@ class View {
         return wanted;
     }
 
-    /// As quick as it must be; the window's own size once nothing has moved for a while.
-    glm::ivec2 picture_size(const Snapshot& snapshot, glm::ivec2 window) const {
+    /// As quick as it must be; the window's own size once the water rests and nothing has moved for a while.
+    glm::ivec2 picture_size(const Snapshot& snapshot, glm::ivec2 window, bool rests) const {
         constexpr double while_s = 0.3;
         const bool is_still = wanted(snapshot, drawn_.camera.size) == drawn_;
-        if (state_.reduction == 0 && is_still && seconds_since(drawn_at_) > while_s) return window;
-        return is_still && drawn_.camera.size == window ? window : picture_size_.of(window, state_.reduction);
+        const bool is_whole = is_still && drawn_.camera.size == window;
+        const bool has_time = rests && is_still && seconds_since(drawn_at_) > while_s;
+        return is_whole || (has_time && state_.reduction == 0) ? window : picture_size_.of(window, state_.reduction);
     }
 
     void draw(const Snapshot& snapshot, glm::ivec2 size) {
@@ -178,6 +179,9 @@ class View {
                                 {static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y)}))
             return;
         times_.present_ms = 1e3 * seconds_since(start);
+        constexpr int settled = 20;  // pictures, after which sizes and buffers are there
+        if (shown_ >= settled) slowest_ms_ = std::max(slowest_ms_, 1e3 * seconds_since(presented_at_));
+        presented_at_ = Clock::now();
         rate_.count();
         times_.shown_hz = rate_.per_second();
         ++shown_;
@@ -204,9 +208,11 @@ class View {
 
     void say_rates(double seconds) const {
         fmt::print(
-            "{} pictures in the window in {:.2f} s, {:.1f} a second; {} of the scene, the last {} x {} in {:.1f} ms\n",
-            shown_, seconds, static_cast<double>(shown_) / seconds, pictures_, times_.picture.x, times_.picture.y,
-            times_.draw_ms);
+            "{} pictures in the window in {:.2f} s, {:.1f} a second, at most {:.0f} ms apart; {} of the scene, the "
+            "last "
+            "{} x {} in {:.1f} ms; {:.2f} s simulated\n",
+            shown_, seconds, static_cast<double>(shown_) / seconds, slowest_ms_, pictures_, times_.picture.x,
+            times_.picture.y, times_.draw_ms, session_.latest()->time_s);
     }
 
     void reject_validation_messages() const {
@@ -232,7 +238,8 @@ class View {
     FrameTimes times_;
     Rate rate_;
     Drawn drawn_;
-    Clock::time_point drawn_at_;
+    Clock::time_point drawn_at_, presented_at_;
+    double slowest_ms_ = 0;
     Camera seen_from_;
     Session::Ticket look_sent_ = 0;
     Clock::time_point turn_;
