@@ -38,8 +38,7 @@ float plane_way(Sight a) {
 // Whether a place on a wall is above the water. To a camera inside the water hides all that is.
 bool is_dry(vec3 place) {
     if (in_water && !outside) return false;
-    vec2 u = (wrapped(place.xy) - vec2(s.x0, s.y0)) / vec2(s.cell_x, s.cell_y);
-    return !in_water || place.z > elevation_at(cells_around(u));
+    return !in_water || place.z > elevation_at(cells_around(cells_of(place.xy)));
 }
 
 void main() {
