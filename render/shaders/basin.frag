@@ -43,7 +43,7 @@ bool is_dry(vec3 place) {
 
 void main() {
     Sight a = sight(gl_FragCoord.xy);
-    float t = clamp(plane_way(a), p.near, 1e6);
+    float t = way_of_fragment(1 / plane_way(a));
     vec3 place = eye() + t * a.r;
     float width = t * pixel_width();
     vec2 across = width * vec2(1, 1 / max(abs(a.d.z), 0.02));  // of a horizontal plane, in any direction at most
