@@ -26,7 +26,7 @@ void main() {
     vec2 widths = min(fwidth(place.xy), vec2(width / max(abs(a.d.z), 0.02)));
     if (!in_water) {
         vec2 u = cells_of(place.xy);
-        if (is_wet(u)) discard;
+        if (is_wet(u, width)) discard;  // a pixel further than the water, so that no gap is left between them
         drawn = exposed(dry_ground(place, ground_around(u).slope, widths));
         return;
     }

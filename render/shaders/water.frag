@@ -66,7 +66,7 @@ vec3 from_below(Point q, vec3 d) {
 void main() {
     Sight a = sight(gl_FragCoord.xy);
     Point q = point_at(a);
-    if (uneven && !is_wet(cells_of(q.place.xy))) discard;
+    if (uneven && !is_wet(cells_of(q.place.xy), 0)) discard;
     if (overlay == OVERLAY_ELEVATION) {
         drawn = exposed(overlay_colour(q.place.z));
         return;
