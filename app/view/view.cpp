@@ -116,7 +116,7 @@ class View {
         if (size.x == 0 || size.y == 0) return;
         state_.camera.size = size;
         look_from_camera(status);
-        interface_.begin();
+        interface_.begin(events);
         panels_.draw(*snapshot, status, times_);
         const gpu::InterfaceDrawing& panels = interface_.end();
         draw(*snapshot, picture_size(*snapshot, size, !status.plays));
