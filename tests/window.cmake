@@ -2,7 +2,9 @@
 waterlight_test(window_parts_test
     SOURCES unit/orbit_camera_test.cpp unit/pick_test.cpp
     LIBRARIES waterlight::render)
-waterlight_test(view_parts_test SOURCES unit/view_parts_test.cpp LIBRARIES waterlight_view)
+waterlight_test(view_parts_test
+    SOURCES unit/view_controls_test.cpp unit/view_parts_test.cpp
+    LIBRARIES waterlight_view)
 
 # On a virtual screen, where Xvfb is installed.
 waterlight_test(presenter_test

@@ -281,7 +281,7 @@ def test_endurance(program, scenarios, screen, folder):
                 screen.do(show, view.window)
                 hidden += 1
             else:
-                screen.do("windowsize", view.window, 240 + 37 * n % 400, 200 + 23 * n % 300)
+                screen.do("windowsize", view.window, 240 + 57 * (n % 8), 200 + 43 * (3 * n % 8))
             time.sleep(0.05)
         code, said = view.end()
         assert code == 0, f"exit {code}: {said}"
