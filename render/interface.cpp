@@ -77,9 +77,19 @@ gpu::InterfaceAtlas Interface::atlas() const {
     return {static_cast<std::uint32_t>(letters_size_.x), static_cast<std::uint32_t>(letters_size_.y), letters_};
 }
 
-void Interface::begin() {
+// The library looks at what is held down now: a key that was pressed and let go between two frames is held for this
+// one.
+void Interface::begin(std::span<const WindowEvent> events) {
     ImGui_ImplGlfw_NewFrame();
+    bool* const keys = ImGui::GetIO().KeysDown;
+    std::vector<int> brief;
+    for (const WindowEvent& event : events) {
+        if (event.type != WindowEvent::Type::key || event.key_code < 0 || keys[event.key_code]) continue;
+        keys[event.key_code] = true;
+        brief.push_back(event.key_code);
+    }
     ImGui::NewFrame();
+    for (const int code : brief) keys[code] = false;
 }
 
 const gpu::InterfaceDrawing& Interface::end() {

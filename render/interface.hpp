@@ -1,7 +1,9 @@
 // Dear ImGui in a window: panels over a picture.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec2.hpp>
+#include <span>
 #include <vector>
 
 #include "gpu/interface_drawing.hpp"
@@ -21,7 +23,8 @@ class Interface {
     /// The letters that drawings refer to; lives as long as this.
     gpu::InterfaceAtlas atlas() const;
 
-    void begin();
+    /// `events` are those since the last call.
+    void begin(std::span<const WindowEvent> events);
     /// What the panels look like. Valid until the next call.
     const gpu::InterfaceDrawing& end();
 

@@ -99,6 +99,7 @@ void Window::Impl::listen() {
         if (action != GLFW_PRESS) return;
         WindowEvent event = of(window).event(Type::key, modifiers);
         event.key = key_of(key);
+        event.key_code = key;
         of(window).events.push_back(event);
     });
     glfwSetMouseButtonCallback(handle, [](GLFWwindow* window, int button, int action, int modifiers) {

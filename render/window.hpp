@@ -22,6 +22,7 @@ struct WindowEvent {
     Type type = Type::move;
     glm::dvec2 at{0, 0};  ///< of the mouse
     Key key = Key::other;
+    int key_code = -1;  ///< GLFW's number of any key
     MouseButton button = MouseButton::left;
     bool shift = false, control = false;  ///< held down
     double scroll = 0;                    ///< notches, away from the user > 0

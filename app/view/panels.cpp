@@ -77,8 +77,9 @@ void Panels::draw_play(const Snapshot& snapshot, const SessionStatus& status) {
     if (ImGui::SliderFloat("speed", &speed_.value, 0.01F, 10, "%.2f", ImGuiSliderFlags_Logarithmic))
         speed_.sent = session_.speed(speed_.value);
     speed_.is_held = ImGui::IsItemActive();
-    if (status.plays && status.rate < 0.9 * status.speed)
-        text(fmt::format("the water takes longer: {:.2f} s a second", status.rate));
+    const bool is_late = status.plays && status.rate > 0 && status.rate < 0.9 * status.speed;
+    const std::string rate = fmt::format("{:.2f} s of water a second", status.rate);
+    is_late ? ImGui::TextColored(warning_colour, "%s", rate.c_str()) : ImGui::TextDisabled("%s", rate.c_str());
 }
 
 void Panels::draw_messages(const SessionStatus& status) const {

@@ -91,9 +91,12 @@ class View {
     void run() {
         const Clock::time_point start = Clock::now();
         while (!is_over()) frame();
-        if (!options_.screenshot.empty() && options_.frames) write(options_.screenshot);
         progress_.reset();
         if (options_.frames) say_rates(seconds_since(start));
+        if (!options_.screenshot.empty() && options_.frames) {
+            draw(*session_.latest(), state_.camera.size);
+            write(options_.screenshot);
+        }
         reject_validation_messages();
     }
 
@@ -116,7 +119,7 @@ class View {
         if (size.x == 0 || size.y == 0) return;
         state_.camera.size = size;
         look_from_camera(status);
-        interface_.begin();
+        interface_.begin(events);
         panels_.draw(*snapshot, status, times_);
         const gpu::InterfaceDrawing& panels = interface_.end();
         draw(*snapshot, picture_size(*snapshot, size, !status.plays));

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """The window as a person uses it: on a virtual screen, by mouse and keys, judged by what is seen.
 
-Usage: window_test.py PROGRAM SCENARIOS CASE, with CASE one of ripple, endurance, lost_device, no_display. Exit 77:
+Usage: window_test.py PROGRAM SCENARIOS CASE, with CASE one of ripple, refusal, endurance, lost_device, no_display. Exit 77:
 not judged, as Xvfb, xdotool or a Vulkan device is missing.
 """
 
@@ -228,6 +228,36 @@ def test_ripple(program, scenarios, screen, folder):
         view.kill()
 
 
+CELLS_FIELD = (60, 476)      # of the panel, in a window that has room for it
+WARNING = (255, 140, 89)     # the colour of what is refused
+
+
+def test_refusal(program, scenarios, screen, folder):
+    """Typing 0 cells brings the line that says what is allowed, and the water goes on."""
+    view = View(program, screen, [scenarios / "pool.toml", *SMALL, "--size", "1270x790", "--validate"])
+    try:
+        x0, y0, _, _ = view.place()
+
+        def warned():
+            return (np.abs(view.picture()[:, :400] - WARNING).max(axis=2) < 20).sum()
+
+        wait_until(lambda: view.picture()[:, :400].max() > 200, "the panel")
+        assert warned() == 0, "a warning before anything was done"
+        screen.do("mousemove", x0 + CELLS_FIELD[0], y0 + CELLS_FIELD[1], "click", "--repeat", 2, "--delay", 80, 1)
+        time.sleep(0.5)
+        screen.do("key", "ctrl+a")
+        screen.do("type", "0")
+        screen.do("key", "Return")
+        wait_until(lambda: view.require_alive() or warned() > 100, "the line that says what is allowed")
+        before = view.picture()[:, 400:]
+        wait_until(lambda: change(before, view.picture()[:, 400:]).max() > LEAST, "water that goes on")
+        screen.do("key", "Escape")
+        code, said = view.end()
+        assert code == 0, f"exit {code}: {said}"
+    finally:
+        view.kill()
+
+
 def test_endurance(program, scenarios, screen, folder):
     frames = 1000
     view = View(program, screen,
@@ -251,7 +281,7 @@ def test_endurance(program, scenarios, screen, folder):
                 screen.do(show, view.window)
                 hidden += 1
             else:
-                screen.do("windowsize", view.window, 240 + 37 * n % 400, 200 + 23 * n % 300)
+                screen.do("windowsize", view.window, 240 + 57 * (n % 8), 200 + 43 * (3 * n % 8))
             time.sleep(0.05)
         code, said = view.end()
         assert code == 0, f"exit {code}: {said}"
@@ -296,7 +326,8 @@ def main():
         folder = pathlib.Path(name)
         screen = Screen(folder)
         try:
-            cases = {"ripple": test_ripple, "endurance": test_endurance, "lost_device": test_lost_device}
+            cases = {"ripple": test_ripple, "refusal": test_refusal, "endurance": test_endurance,
+                     "lost_device": test_lost_device}
             cases[case](program, scenarios, screen, folder)
         finally:
             screen.close()
