@@ -199,8 +199,8 @@ void Presenter::Impl::copy_picture(const Target& picture, const ChainImage& imag
     const vk::ImageBlit upright(colour, {corner(0, source.height, 0), corner(source.width, 0, 1)}, colour,
                                 {corner(0, 0, 0), corner(size.width, size.height, 1)});
     const bool same = source.width == size.width && source.height == size.height;
-    list.blitImage(*source.pixels.handle, Layout::eTransferSrcOptimal, image.handle, Layout::eTransferDstOptimal, upright,
-                   same ? vk::Filter::eNearest : vk::Filter::eLinear);
+    list.blitImage(*source.pixels.handle, Layout::eTransferSrcOptimal, image.handle, Layout::eTransferDstOptimal,
+                   upright, same ? vk::Filter::eNearest : vk::Filter::eLinear);
     relayout(list, *source.pixels.handle,
              between(change(Stage::eBlit, {}, Stage::eAllCommands, Access::eMemoryRead | Access::eMemoryWrite),
                      Layout::eTransferSrcOptimal, Layout::eColorAttachmentOptimal));

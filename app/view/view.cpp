@@ -133,8 +133,8 @@ class View {
             std::chrono::duration<double>(1 / (window_.size().x > 0 ? window_.refresh_hz() : 10)));
         turn_ = std::max(turn_ + period, Clock::now());
         std::vector<WindowEvent> events = window_.events();
-        for (double wait_s = -seconds_since(turn_); wait_s > 0; wait_s = -seconds_since(turn_)) {
-            const std::vector<WindowEvent> more = window_.events(wait_s);
+        while (Clock::now() < turn_) {
+            const std::vector<WindowEvent> more = window_.events(std::max(0.0, -seconds_since(turn_)));
             events.insert(events.end(), more.begin(), more.end());
         }
         return events;

@@ -17,9 +17,9 @@ struct ViewOptions {
     std::vector<std::string> overrides;
     DeviceWish device;  ///< its name is of the device that draws, too
     glm::ivec2 size{1280, 720};
-    std::optional<int> frames;  ///< closes after so many pictures, and says how quickly they came
-    std::filesystem::path screenshot;    ///< where screenshots go, the last picture too; empty: files of their own
-    std::function<int()> stop_signal;    ///< as of RunOptions
+    std::optional<int> frames;         ///< closes after so many pictures, and says how quickly they came
+    std::filesystem::path screenshot;  ///< where screenshots go, the last picture too; empty: files of their own
+    std::function<int()> stop_signal;  ///< as of RunOptions
 };
 
 /// Shows the scenario until the user closes the window. Throws InputError where the scenario is wrong, WorldError where

@@ -20,8 +20,7 @@ struct ViewState {
     double drop_height_m = 0.04;  ///< negative digs
     double sphere_radius_m = 0.3;
     int reduction = 0;  ///< of the picture's sides; 0: such that pictures come quickly
-    bool shows_panels = true;
-    std::string said;  ///< what was done last, one line
+    std::string said;   ///< what was done last, one line
     bool wants_screenshot = false;
     bool closes = false;
 };
