@@ -43,7 +43,7 @@ float sun_transmittance(float cos_i) {
 vec3 from_above(Point q, vec3 d) {
     vec3 normal = normal_of(visible_slope(-d, q.slope, q.variance, 1));
     SightRefraction refracted = refract_sight(d, normal, s.index, s.fresnel);
-    vec3 below = seen_in_water(q.place, refracted.direction, q.width);
+    vec3 below = seen_in_water(q.place, refracted.direction, q.width, q.variance);
     if (overlay == OVERLAY_FLOOR || overlay == OVERLAY_ERROR) return below;
     vec3 sky = sky_above(reflect_sight(d, normal));
     SunSeen sun = sun_in_reflection(-d, to_sun(), q.slope, q.variance, s.sun_radius);
@@ -56,7 +56,7 @@ vec3 from_below(Point q, vec3 d) {
     SightRefraction refracted = refract_sight(d, normal, 1 / s.index, s.fresnel);
     vec3 mirrored = reflect_sight(d, normal);
     mirrored.z = min(mirrored.z, -0.003);
-    vec3 below = seen_in_water(q.place, mirrored, q.width);
+    vec3 below = seen_in_water(q.place, mirrored, q.width, q.variance);
     vec3 sky = sky_above(refracted.direction);
     SunSeen sun = sun_in_refraction(-d, to_sun(), q.slope, q.variance, s.sun_radius, max(s.index, 1.0001));
     float shine = s.sun_irradiance * sun.radiance * sun_transmittance(sun.cos_h);
