@@ -75,8 +75,7 @@ Raster::Raster(std::shared_ptr<Context> context, const RasterSettings& settings)
     impl_->context = std::move(context);
     attempt("build the pass " + settings.name, [&] {
         const vk::raii::Device& device = impl_->context->impl().device;
-        impl_->binding =
-            Binding(device, {settings.uniforms, settings.buffers, settings.targets}, settings.push_bytes,
+        impl_->binding = Binding(device, {settings.uniforms, settings.buffers, settings.targets}, settings.push_bytes,
                                  Stage::eVertex | Stage::eFragment);
         impl_->pipeline = make_pipeline(device, settings, *impl_->binding.layout);
     });

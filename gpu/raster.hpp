@@ -71,8 +71,8 @@ enum class Depth {
 /// The layout of a raster pass: buffers at set 0, bindings 0, 1, ..., the first of them uniform blocks, the others
 /// storage; then the targets that it reads, as `texture2D` or, of several samples, `texture2DMS`; and one block of push
 /// constants. Its shaders only read, and both see all. Vertices are pulled from the buffers by gl_VertexIndex and
-/// gl_InstanceIndex. The fragment shader's output 0 is a pixel of the target's format. Fragments of one draw are blended
-/// in the order of instances.
+/// gl_InstanceIndex. The fragment shader's output 0 is a pixel of the target's format. Fragments of one draw are
+/// blended in the order of instances.
 struct RasterSettings {
     std::string name;                             ///< for errors and timings
     std::span<const std::uint32_t> vertex_spirv;  ///< entry point "main"; both must outlive the pass

@@ -46,7 +46,8 @@ std::uint32_t most_samples(const vk::raii::PhysicalDevice& device, const TargetS
         return device.getImageFormatProperties(format, vk::ImageType::e2D, vk::ImageTiling::eOptimal, usage)
             .sampleCounts;
     };
-    vk::SampleCountFlags offered = counts(vulkan_format(settings.format), Usage::eColorAttachment | Usage::eSampled | copied);
+    vk::SampleCountFlags offered =
+        counts(vulkan_format(settings.format), Usage::eColorAttachment | Usage::eSampled | copied);
     if (settings.depth) offered &= counts(depth_format, Usage::eDepthStencilAttachment | Usage::eTransferDst);
     std::uint32_t samples = settings.samples;
     while (samples > 1 && !(offered & sample_bit(samples))) samples /= 2;
@@ -113,8 +114,9 @@ Target::Target(std::shared_ptr<Context> context, std::uint32_t width, std::uint3
         impl_->pixels = make_image(c, described(format, size, 1, Usage::eColorAttachment | Usage::eSampled | copied),
                                    Aspect::eColor);
         if (impl_->samples > 1)
-            impl_->many = make_image(c, described(format, size, impl_->samples, Usage::eColorAttachment | Usage::eSampled | copied),
-                                     Aspect::eColor);
+            impl_->many = make_image(
+                c, described(format, size, impl_->samples, Usage::eColorAttachment | Usage::eSampled | copied),
+                Aspect::eColor);
         if (settings.depth)
             impl_->depth = make_image(
                 c, described(depth_format, size, impl_->samples, Usage::eDepthStencilAttachment | Usage::eTransferDst),
