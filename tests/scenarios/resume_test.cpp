@@ -217,6 +217,7 @@ TEST_F(Resume, ASecondSignalEndsItAtOnce) {
                                   "output.every_s=1e5", "--set", "output.probe_every_s=1e5"}),
                 folder_ / "log");
     ASSERT_TRUE(wait_until([&] { return fs::exists(folder_ / "out" / "floor.pvd"); }));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));  // by now it computes that frame
     child.kill(SIGINT);
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     EXPECT_EQ(::kill(child.process(), 0), 0) << "the first lets it finish its frame";
