@@ -25,7 +25,8 @@ Pass::Pass(std::shared_ptr<Context> context, const PassSettings& settings) : imp
     impl_->context = std::move(context);
     attempt("build the pass " + settings.name, [&] {
         const vk::raii::Device& device = impl_->context->impl().device;
-        impl_->binding = Binding(device, {.buffers = settings.buffers}, settings.push_bytes, vk::ShaderStageFlagBits::eCompute);
+        impl_->binding =
+            Binding(device, {.buffers = settings.buffers}, settings.push_bytes, vk::ShaderStageFlagBits::eCompute);
         impl_->pipeline = make_pipeline(device, settings, *impl_->binding.layout);
     });
 }

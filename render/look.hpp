@@ -39,7 +39,8 @@ struct Look {
     Finish deck{.pattern = Finish::Pattern::plain, .albedo = {0.55, 0.52, 0.48}};  ///< around a pool
     Sky sky;
     double freeboard_m = 0.1;  ///< how far walls rise above still water, >= 0
-    /// Radiance (W/(m2 sr)) that the tone curve takes for 1; none: that of a white diffuse plane in sun and sky.
+    /// Radiance (W/(m2 sr)) that the tone curve takes for 1; none: that of a white diffuse plane in sun and sky, for a
+    /// camera in the water what of it is left at its depth below flat water, in the mean of the colours.
     std::optional<double> exposure_w_m2_sr;
     int samples = 4;  ///< of a pixel along edges: 1, 2, 4 or 8, or the most that the device has
     /// Absorption (1/m) of red, green and blue beyond the scenario's own, on the light's way and on the camera's. The

@@ -52,7 +52,6 @@ void put_light(const Scene& scene, const Look& look, SceneParameters& p) {
     const double sun_down = sunlight(scene.sun) * std::max(0.0, -scene.sun.direction().z);
     constexpr double earth_albedo = 0.15;  // of dry ground far away
     put((sun_down + sky.irradiance) * (earth_albedo / pi), p.earth_r, p.earth_g, p.earth_b);
-    p.per_exposure = static_cast<float>(1 / look.exposure_w_m2_sr.value_or(white_radiance(look.sky, scene.sun)));
 }
 
 void put_water(const Scene& scene, const Look& look, SceneParameters& p) {
@@ -65,7 +64,8 @@ void put_water(const Scene& scene, const Look& look, SceneParameters& p) {
     put(on_way, p.colour_r, p.colour_g, p.colour_b);
     put(look.colour_per_m + o.extinction_per_m(), p.sight_r, p.sight_g, p.sight_b);
     put(look.colour_per_m + o.absorption_per_m, p.absorption_r, p.absorption_g, p.absorption_b);
-    p.depth = static_cast<float>(scene.depth_m);
+    const double lowest = scene.ground_m != nullptr ? std::ranges::min(scene.ground_m->values()) : -scene.depth_m;
+    p.depth = static_cast<float>(std::max(-lowest, 0.001));
     p.r_ext = static_cast<float>(diffuse_reflectance(o.refractive_index, o.fresnel));
     p.r_int = 1 - (1 - p.r_ext) / (p.index * p.index);
 }
@@ -156,6 +156,21 @@ void put_domain(const Scene& scene, const Look& look, const SurfaceLevels& surfa
     p.ground_high = high;
 }
 
+/// What of the sun's and the sky's light is left at a depth below flat water, in the mean of the colours; 1 above it.
+double left_at(const SceneParameters& p, double depth) {
+    if (!(depth > 0)) return 1;
+    const double deep = std::min(depth, static_cast<double>(p.depth));
+    const glm::dvec3 colour{p.colour_r, p.colour_g, p.colour_b}, sky{p.sky_r, p.sky_g, p.sky_b};
+    const glm::dvec3 absorption{p.absorption_r, p.absorption_g, p.absorption_b};
+    double left = 0, all = 0;
+    for (int c = 0; c < 3; ++c) {
+        left += p.entering * std::exp(-(p.extinction + colour[c]) * p.path * deep) +
+                (1 - p.r_ext) * sky[c] * f64::diffuse_passage(absorption[c], deep);
+        all += p.sun_irradiance * std::max(0.0F, p.sun_z) + sky[c];
+    }
+    return all > 0 ? std::max(left / all, 1e-3) : 1;
+}
+
 }  // namespace
 
 PassParameters view_parameters(const Camera& camera) {
@@ -173,13 +188,15 @@ PassParameters view_parameters(const Camera& camera) {
 }
 
 SceneParameters scene_parameters(const Scene& scene, const Look& look, const SurfaceLevels& surface,
-                                 const LightMaps& maps, int volume_offset) {
+                                 const LightMaps& maps, int volume_offset, double camera_depth_m) {
     SceneParameters p{};
     put_light(scene, look, p);
     put_water(scene, look, p);
     put_ambient(scene, look, p);
     put_domain(scene, look, surface, p);
     put_maps(scene, maps, p);
+    const double standard = white_radiance(look.sky, scene.sun) * left_at(p, camera_depth_m);
+    p.per_exposure = static_cast<float>(1 / look.exposure_w_m2_sr.value_or(standard));
     if (scene.volume != nullptr) {
         p.volume_nx = scene.volume->cells.x;
         p.volume_ny = scene.volume->cells.y;

@@ -12,6 +12,7 @@
 #include "render/overlay_map.hpp"
 #include "render/passes/basin.hpp"
 #include "render/passes/beams.hpp"
+#include "render/passes/ground.hpp"
 #include "render/passes/sky.hpp"
 #include "render/passes/tone.hpp"
 #include "render/passes/water.hpp"
@@ -59,6 +60,7 @@ struct SceneRenderer::Impl {
     SurfaceLevels surface;
     LightMaps maps;
     WaterPass water;
+    GroundPass ground;
     BasinPass basin;
     SkyPass sky;
     BeamsPass beams;
@@ -73,6 +75,7 @@ struct SceneRenderer::Impl {
     explicit Impl(const std::shared_ptr<gpu::Context>& owner)
         : context(owner),
           water(owner),
+          ground(owner),
           basin(owner),
           sky(owner),
           beams(owner),
@@ -107,10 +110,11 @@ WaterMeshes SceneRenderer::Impl::upload(const Frame& frame) {
     const PhaseTable phase(scene.optics.phase);
     const std::span<const float> volume =
         scene.volume != nullptr ? scene.volume->scalar_irradiance.values() : std::span<const float>{};
+    const double depth = frame.variant.in_water ? std::max(0.0, -frame.eye().z) : 0;
     const SceneParameters block =
-        scene_parameters(scene, frame.look, surface, maps, static_cast<int>(phase.values().size()));
+        scene_parameters(scene, frame.look, surface, maps, static_cast<int>(phase.values().size()), depth);
     exposure = 1 / block.per_exposure;
-    const std::vector<float> ground =
+    const std::vector<float> heights =
         scene.ground_m != nullptr ? padded_ground(*scene.surface, *scene.ground_m) : std::vector<float>{};
     reserve(context, buffers.block, sizeof block, gpu::BufferUse::from_host);
     buffers.block->host<SceneParameters>()[0] = block;
@@ -118,7 +122,7 @@ WaterMeshes SceneRenderer::Impl::upload(const Frame& frame) {
     write(context, buffers.surface, {floats(surface.cells)}, commands);
     write(context, buffers.light, {maps.values}, commands);
     write(context, buffers.medium, {phase.values(), volume}, commands);
-    write(context, buffers.ground, {ground}, commands);
+    write(context, buffers.ground, {heights}, commands);
     write(context, buffers.copies, {floats(planned.shifts)}, commands);
     write(context, buffers.palette, {floats(palette_of(frame.look.overlay))}, commands);
     if (BeamsPass::needed(frame)) write(context, buffers.beams, {scene.beams->radiance.values()}, commands);
@@ -130,6 +134,7 @@ WaterMeshes SceneRenderer::Impl::upload(const Frame& frame) {
 void SceneRenderer::Impl::record(const Frame& frame, const WaterMeshes& planned) {
     commands.discard(*radiance);
     water.record(frame, planned);
+    if (GroundPass::needed(frame)) ground.record(frame, planned);
     if (BasinPass::needed(frame)) basin.record(frame);
     sky.record(frame);
     if (BeamsPass::needed(frame)) beams.record(frame);

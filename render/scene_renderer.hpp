@@ -20,7 +20,18 @@ struct Radiance {
     std::vector<float> rgb;  ///< W/(m2 sr), before the tone curve
 };
 
-/// Draws the passes that a scene needs, in their order. Holds its buffers and targets between pictures.
+/// Draws the passes that a scene needs, in their order: the water's surface, ground, basin, sky, beams, tone curve.
+/// Holds its buffers and targets between pictures.
+///
+/// Light is followed once: from the surface to sky, floor, walls or ground, and on the camera's way through the water.
+/// Beyond that the water's own interreflection is that of an infinite slab (render/kernels/ambient.glsl), so that a
+/// white furnace stays white. What it leaves out:
+/// - the camera is either above or below the surface, told at its place; no picture shows both sides of a waterline;
+/// - waves neither hide nor mirror each other in what they reflect, and reflections above the water show the sky alone,
+///   not walls or land; what would be reflected below the horizon is taken for the horizon's;
+/// - of scattered light only the sun's, scattered once; the sky's is left out;
+/// - where ground is not flat, a shore is cut at whole pixels, and beyond absorbing sides ground is as high as at them.
+/// Radiance is kept as half floats in units of the exposure, to 0.05 % and at most 6e4 exposures.
 class SceneRenderer {
   public:
     /// Throws gpu::Error where the device cannot draw.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 namespace waterlight {
 
@@ -65,9 +66,23 @@ int level_at(const Frame& frame, double distance) {
     return std::clamp(static_cast<int>(std::floor(std::log2(std::max(cells, 1.0)))), 0, last);
 }
 
+/// Most that straight lines over `cells` leave a field by, measured at their middles.
+double line_error(const Field<float>& f, int cells) {
+    const int half = (cells + 1) / 2;
+    float most = 0;
+    for (int j = half; j < f.ny() - half; j += half)
+        for (int i = half; i < f.nx() - half; i += half) {
+            const float here = 2 * f(i, j);
+            most = std::max(most, std::abs(f(i - half, j) + f(i + half, j) - here));
+            most = std::max(most, std::abs(f(i, j - half) + f(i, j + half) - here));
+        }
+    return 0.5 * most;
+}
+
 /// Spacing of a mesh, in cells, such that straight lines between its corners leave the surface by less than one and a
-/// half pixels where it bends by four times its root mean square. Slopes, and with them all that is seen in and through
-/// the water, come from the fields themselves; what a finer mesh costs is that its small triangles cut pixels.
+/// half pixels where it bends by four times its root mean square, and the ground anywhere. Slopes, and with them all
+/// that is seen in and through the water, come from the fields themselves; what a finer mesh costs is that its small
+/// triangles cut pixels.
 int spacing_at(const Frame& frame, double distance) {
     const Grid& g = frame.scene.surface->grid;
     const double allowed = 1.5 * pixel_width(frame.view) * std::max(distance, nearest_m);
@@ -78,6 +93,8 @@ int spacing_at(const Frame& frame, double distance) {
     };
     int cells = 1;
     while (cells < std::max(g.nx, g.ny) && error(cells + 1) <= allowed) ++cells;
+    while (frame.scene.ground_m != nullptr && cells > 1 && line_error(*frame.scene.ground_m, cells) > allowed)
+        cells = (cells + 1) / 2;
     return cells;
 }
 
@@ -103,7 +120,10 @@ void plan_copies(const Frame& frame, Spans x, Spans y, WaterMeshes& out) {
         }
     for (const auto& [detail, shifts] : copies) {
         const auto parts = [&](int n) { return (n + detail.spacing - 1) / detail.spacing; };
-        out.meshes.push_back({{0, 0, g.nx, g.ny},
+        // Half a cell more over periodic sides: meshes of different spacing leave no gap.
+        const float more_x = surface.boundary.x == Side::periodic ? 0.5F : 0;
+        const float more_y = surface.boundary.y == Side::periodic ? 0.5F : 0;
+        out.meshes.push_back({{-more_x, -more_y, g.nx + more_x, g.ny + more_y},
                               parts(g.nx),
                               parts(g.ny),
                               frame.surface.levels[detail.level],
@@ -138,6 +158,30 @@ void plan_beyond(const Frame& frame, Spans x, Spans y, WaterMeshes& out) {
     }
 }
 
+/// The ground under every copy, and beyond absorbing sides as high as at them.
+void plan_ground(const Frame& frame, WaterMeshes& out) {
+    const Surface& surface = *frame.scene.surface;
+    const Grid& g = surface.grid;
+    const float far_x = surface.boundary.x == Side::absorbing ? static_cast<float>(horizon_m / g.dx_m) : 0;
+    const float far_y = surface.boundary.y == Side::absorbing ? static_cast<float>(horizon_m / g.dy_m) : 0;
+    const auto nx = static_cast<float>(g.nx), ny = static_cast<float>(g.ny);
+    const SurfaceLevel finest = frame.surface.levels.front();
+    const int home = static_cast<int>(out.shifts.size());
+    out.shifts.emplace_back(0, 0, 0, 0);
+    for (const WaterMesh& mesh : std::vector(out.meshes)) {
+        if (mesh.level.offset == frame.surface.beyond.offset) continue;
+        out.ground.push_back(mesh);
+        if (far_x == 0 && far_y == 0) continue;
+        const auto add = [&](glm::vec4 rectangle, int columns, int rows) {
+            out.ground.push_back({rectangle, columns, rows, finest, false, home, 1});
+        };
+        for (const auto& [u0, u1, columns] :
+             {std::tuple(-far_x, 0.0F, 1), {0.0F, nx, mesh.columns}, {nx, nx + far_x, 1}})
+            for (const auto& [v0, v1, rows] : {std::tuple(-far_y, 0.0F, 1), {0.0F, ny, mesh.rows}, {ny, ny + far_y, 1}})
+                if (u1 > u0 && v1 > v0 && (columns == 1 || rows == 1)) add({u0, v0, u1, v1}, columns, rows);
+    }
+}
+
 }  // namespace
 
 WaterMeshes plan_water(const Frame& frame) {
@@ -148,7 +192,28 @@ WaterMeshes plan_water(const Frame& frame) {
     WaterMeshes planned;
     plan_copies(frame, x, y, planned);
     plan_beyond(frame, x, y, planned);
+    if (frame.variant.uneven) plan_ground(frame, planned);
     return planned;
+}
+
+PassParameters mesh_parameters(const PassParameters& view, const WaterMesh& mesh) {
+    PassParameters p = view;
+    p.u0 = mesh.rectangle.x;
+    p.v0 = mesh.rectangle.y;
+    p.u1 = mesh.rectangle.z;
+    p.v1 = mesh.rectangle.w;
+    p.columns = mesh.columns;
+    p.rows = mesh.rows;
+    p.level_offset = mesh.level.offset;
+    p.level_nx = mesh.level.nx;
+    p.level_ny = mesh.level.ny;
+    p.level_scale = mesh.level.scale;
+    p.first_copy = mesh.first_copy;
+    return p;
+}
+
+gpu::Strips strips_of(const WaterMesh& mesh) {
+    return {static_cast<std::uint32_t>(mesh.copies * mesh.rows), 2 * static_cast<std::uint32_t>(mesh.columns + 1)};
 }
 
 }  // namespace waterlight

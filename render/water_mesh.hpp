@@ -1,4 +1,5 @@
-// The water's surface as meshes: one for each distance at which copies of the domain lie, and what is beyond them.
+// The water's surface as meshes: one for each distance at which copies of the domain lie, and what is beyond them; and
+// the ground's.
 #pragma once
 
 #include <glm/vec4.hpp>
@@ -21,6 +22,7 @@ struct WaterMesh {
 
 struct WaterMeshes {
     std::vector<WaterMesh> meshes;
+    std::vector<WaterMesh> ground;  ///< none over a flat floor
     std::vector<glm::vec4> shifts;  ///< of all copies, m
 };
 
@@ -29,5 +31,9 @@ struct WaterMeshes {
 /// is flat with the mean variance of its slopes; beyond absorbing sides it is flat and still. A tilted surface climbs
 /// as it repeats, and ends there.
 WaterMeshes plan_water(const Frame& frame);
+
+/// The push constants that draw a mesh, and what of it is drawn.
+PassParameters mesh_parameters(const PassParameters& view, const WaterMesh& mesh);
+gpu::Strips strips_of(const WaterMesh& mesh);
 
 }  // namespace waterlight

@@ -15,5 +15,5 @@ KERNEL real clear_sky(real cos_zenith, real cos_sun) {
 KERNEL real3 sky_tint(real cos_zenith) {
     real pale = real(1) - clamp(cos_zenith, real(0), real(1));
     pale = pale * pale * pale;
-    return real3(real(0.50) + real(0.38) * pale, real(0.92) + real(0.08) * pale, real(1.58) - real(0.46) * pale);
+    return real3(real(0.42) + real(0.40) * pale, real(0.90) + real(0.12) * pale, real(1.68) - real(0.52) * pale);
 }

@@ -38,13 +38,12 @@ float plane_way(Sight a) {
 // Whether a place on a wall is above the water. To a camera inside the water hides all that is.
 bool is_dry(vec3 place) {
     if (in_water && !outside) return false;
-    vec2 u = (wrapped(place.xy) - vec2(s.x0, s.y0)) / vec2(s.cell_x, s.cell_y);
-    return !in_water || place.z > elevation_at(cells_around(u));
+    return !in_water || place.z > elevation_at(cells_around(cells_of(place.xy)));
 }
 
 void main() {
     Sight a = sight(gl_FragCoord.xy);
-    float t = clamp(plane_way(a), p.near, 1e6);
+    float t = way_of_fragment(1 / plane_way(a));
     vec3 place = eye() + t * a.r;
     float width = t * pixel_width();
     vec2 across = width * vec2(1, 1 / max(abs(a.d.z), 0.02));  // of a horizontal plane, in any direction at most

@@ -48,6 +48,10 @@ Sight sight(vec2 fragment) {
     return a;
 }
 
+// How far along the view a fragment of a mesh is, of its 1 / w. At an edge the middle of the pixel may be beyond the
+// triangle, and behind the horizon.
+float way_of_fragment(float per_way) { return per_way > 1e-6 ? max(p.near, 1 / per_way) : 1e6; }
+
 // Width of a pixel, in metres per metre of distance along the view.
 float pixel_width() { return length(vec3(p.right_x, p.right_y, p.right_z)); }
 

@@ -22,6 +22,9 @@ float elevation_at(CellsAround c) {
                     surface_cells[c.low + c.stride + 1].w, c.weight.x, c.weight.y);
 }
 
+// Whether more water than `depth` stands over the ground at `u`: the shore as the fields have it, whatever the meshes.
+bool is_wet(vec2 u, float depth) { return elevation_at(cells_around(u)) > ground_around(u).height + depth; }
+
 struct Slopes {
     vec2 mean;
     float variance;  // per axis, of what is spread within the footprint

@@ -19,13 +19,13 @@ struct Point {
 };
 
 Point point_at(Sight a) {
-    float t = max(p.near, 1 / gl_FragCoord.w);
+    float t = way_of_fragment(gl_FragCoord.w);
     Point q;
     q.place = eye() + t * a.r;
     q.distance = t * a.metres;
     q.width = t * pixel_width();
     vec2 level = length(a.d.xy) > 1e-4 ? normalize(a.d.xy) : vec2(1, 0);
-    vec2 u = (wrapped(q.place.xy) - vec2(s.x0, s.y0)) / vec2(s.cell_x, s.cell_y);
+    vec2 u = cells_of(q.place.xy);
     float half_width = 0.5 * q.width;
     Slopes slopes = slopes_at(cells_around(u), level * half_width / max(abs(a.d.z), 0.02),
                               vec2(-level.y, level.x) * half_width);
@@ -66,6 +66,7 @@ vec3 from_below(Point q, vec3 d) {
 void main() {
     Sight a = sight(gl_FragCoord.xy);
     Point q = point_at(a);
+    if (uneven && !is_wet(cells_of(q.place.xy), 0)) discard;
     if (overlay == OVERLAY_ELEVATION) {
         drawn = exposed(overlay_colour(q.place.z));
         return;

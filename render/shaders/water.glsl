@@ -7,15 +7,6 @@ struct Meeting {
     int wall;   // 0 to 3; -1: the floor or ground
 };
 
-float ground_at(vec2 place) {
-    vec2 home = wrapped(place);
-    vec2 at = (home - vec2(s.x0, s.y0)) / vec2(s.cell_x, s.cell_y) + 0.5;
-    at = clamp(at, vec2(0), vec2(s.ground_nx, s.ground_ny) + 0.999);
-    vec2 low = floor(at), w = at - low;
-    int stride = s.ground_nx + 2, k = int(low.y) * stride + int(low.x);
-    return bilinear(ground[k], ground[k + 1], ground[k + stride], ground[k + stride + 1], w.x, w.y);
-}
-
 // The first ground on the way from `from` along d within `end` metres: steps, then bisection.
 float ground_way(vec3 from, vec3 d, float end) {
     const int steps = 12, halvings = 6;

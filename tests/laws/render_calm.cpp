@@ -39,5 +39,18 @@ TEST_F(RenderCalm, SeenFromAboveIsTheSunsLightDownAndUpAgain) {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c] / expected, 1, 0.002);
 }
 
+// What is far away in water that absorbs is dark, up to the rows where floor and surface meet.
+TEST_F(RenderCalm, TheHorizonBelowTheWaterIsDark) {
+    scene.optics.absorption_per_m = 2;
+    SceneRenderer renderer(context);
+    for (const int height : {64, 65}) {
+        renderer.draw(scene, look, camera_at({4, 3, -1}, {8, 3, -1.01}, {64, height}));
+        const Radiance seen = renderer.read_radiance();
+        // Five rows from the horizon sight meets the floor some 15 m off.
+        for (int j = height / 2 - 4; j < height / 2 + 4; ++j)
+            for (int i = 0; i < 64; ++i) EXPECT_LT(radiance_at(seen, i, j).y, 1e-4) << i << " " << j;
+    }
+}
+
 }  // namespace
 }  // namespace waterlight

@@ -8,10 +8,12 @@ namespace {
 class RenderFurnace : public GpuTest {
   protected:
     /// Draws the surface in the furnace and expects the radiance of the camera's side in every pixel.
-    void expect_white(const Surface& surface, const Camera& camera, double times) {
+    void expect_white(const Surface& surface, const Camera& camera, double times,
+                      const Field<float>* ground = nullptr) {
         Scene scene;
         scene.surface = &surface;
         scene.depth_m = 2;
+        scene.ground_m = ground;
         scene.sun.irradiance_w_m2 = 0;
         const Look look = plain_look(1);
         SceneRenderer renderer(context);
@@ -49,6 +51,16 @@ TEST_F(RenderFurnace, StaysWhiteInTheSea) {
     for (const Side side : {Side::periodic, Side::absorbing})
         for (const Surface& surface : {calm_surface(side), wavy_surface(side)})
             expect_white(surface, camera_at({4, 3, -1}, {8, 5, 0}), n2);
+}
+
+TEST_F(RenderFurnace, StaysWhiteOverABeach) {
+    const Surface surface = calm_surface(Side::wall);
+    Field<float> ground(surface.grid.nx, surface.grid.ny);
+    for (int j = 0; j < surface.grid.ny; ++j)
+        for (int i = 0; i < surface.grid.nx; ++i)
+            ground(i, j) = static_cast<float>(-0.8 + 0.15 * surface.grid.x_m(i));  // dry from x = 5.33 m
+    expect_white(surface, camera_at({1, -1, 3}, {5, 3, 0}), 1, &ground);
+    expect_white(surface, camera_at({1, 3, -0.3}, {4, 3.3, -0.3}), n2, &ground);
 }
 
 }  // namespace
