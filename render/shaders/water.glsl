@@ -98,11 +98,14 @@ vec3 scattered(vec3 from, vec3 d, float way) {
 }
 
 // Radiance that arrives at `from` along the way d, from what is met there and from the water between.
-vec3 seen_in_water(vec3 from, vec3 d, float width) {
+// `moved` and `turned` are those of `from` and d.
+vec3 seen_in_water(vec3 from, vec3 d, float width, PerPixel moved, PerPixel turned) {
     Meeting m = meet(from, d);
     vec3 place = from + m.way * d;
     width += m.way * pixel_width() * (1 / s.index);
-    vec3 seen = radiance_in_water(m.wall, place, width, fwidth(on_pattern(m.wall, place)));
+    vec3 plane = m.wall < 0 ? vec3(0, 0, 1) : wall_inward(m.wall);
+    vec2 widths = widths_on_pattern(m.wall, moved_along(moved, turned, d, m.way, plane));
+    vec3 seen = radiance_in_water(m.wall, place, width, widths);
     if (overlay == OVERLAY_FLOOR || overlay == OVERLAY_ERROR) return seen;
     return seen * exp(-sight_extinction() * m.way) + scattered(from, d, m.way);
 }
