@@ -24,6 +24,35 @@ KERNEL real3 reflect_sight(real3 d, real3 normal) {
     return d - real(2) * dot(d, normal) * normal;
 }
 
+// What a turn of the ray and of the normal, small and across them, turns the refracted direction by; the derivative of
+// Snell's formula above. Cosines of refraction below a hundredth count as that.
+KERNEL real3 turn_refracted(real3 d, real3 normal, real n, real3 turn_d, real3 turn_normal) {
+    real inv_n = real(1) / n;
+    real cos_i = max(real(0), -dot(d, normal));
+    real cos_t = sqrt(max(real(1e-4), real(1) - (real(1) - cos_i * cos_i) * inv_n * inv_n));
+    real turn_i = -(dot(turn_d, normal) + dot(d, turn_normal));
+    real turn_t = cos_i * inv_n * inv_n * turn_i / cos_t;
+    return inv_n * turn_d + (turn_i * inv_n - turn_t) * normal + (cos_i * inv_n - cos_t) * turn_normal;
+}
+
+KERNEL real3 turn_reflected(real3 d, real3 normal, real3 turn_d, real3 turn_normal) {
+    real turn_i = dot(turn_d, normal) + dot(d, turn_normal);
+    return turn_d - real(2) * (turn_i * normal + dot(d, normal) * turn_normal);
+}
+
+// What a change of slope turns the unit normal by.
+KERNEL real3 turn_of_normal(real3 normal, real2 change) {
+    real3 v = real3(-change.x * normal.z, -change.y * normal.z, 0);
+    return v - dot(v, normal) * normal;
+}
+
+// A small move, along d onto the plane across `normal`.
+KERNEL real3 moved_onto(real3 move, real3 d, real3 normal) {
+    real along = dot(d, normal);
+    along = abs(along) < real(1e-3) ? real(1e-3) : along;
+    return move - (dot(move, normal) / along) * d;
+}
+
 // Unit normal, upwards.
 KERNEL real3 normal_of(real2 slope) {
     real scale = real(1) / sqrt(real(1) + dot(slope, slope));

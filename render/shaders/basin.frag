@@ -46,14 +46,13 @@ void main() {
     float t = way_of_fragment(1 / plane_way(a));
     vec3 place = eye() + t * a.r;
     float width = t * pixel_width();
-    vec2 across = width * vec2(1, 1 / max(abs(a.d.z), 0.02));  // of a horizontal plane, in any direction at most
+    int wall = kind == KIND_WALLS ? part : -1;
+    vec3 plane = wall < 0 ? vec3(0, 0, 1) : wall_inward(wall);
+    vec2 widths = widths_on_pattern(wall, moved_along(unmoved, turn_of_sight(a), a.d, t * a.metres, plane));
     if (kind == KIND_DECK) {
-        drawn = exposed(deck(place, min(fwidth(place.xy), across.yy)));
+        drawn = exposed(deck(place, widths));
         return;
     }
-    int wall = kind == KIND_FLOOR ? -1 : part;
-    vec2 widths = fwidth(on_pattern(wall, place));
-    if (wall < 0) widths = min(widths, across.yy);
     if (wall >= 0 && is_dry(place)) {
         drawn = exposed(dry_wall(wall, place, widths));
         return;

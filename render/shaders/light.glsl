@@ -98,6 +98,14 @@ vec3 sun_on_wall(int wall, vec3 place, float depth) {
 // A place in the water: on the floor or ground where `wall` is -1, else on a wall. Its pattern's coordinates, m.
 vec2 on_pattern(int wall, vec3 place) { return wall < 0 ? place.xy : vec2(along_wall(wall, place), place.z); }
 
+vec2 across_pattern(int wall, vec3 move) { return wall < 0 ? move.xy : (wall < 2 ? move.yz : move.xz); }
+
+// Widths of a pixel there.
+vec2 widths_on_pattern(int wall, PerPixel moved) {
+    vec2 a = across_pattern(wall, moved.right), b = across_pattern(wall, moved.up);
+    return sqrt(a * a + b * b);
+}
+
 vec3 albedo_at(int wall, vec2 at, vec2 widths) {
     float side = wall < 0 ? s.floor_side : s.wall_side;
     float part = finish(floor_pattern, at, widths, side);

@@ -55,6 +55,25 @@ float way_of_fragment(float per_way) { return per_way > 1e-6 ? max(p.near, 1 / p
 // Width of a pixel, in metres per metre of distance along the view.
 float pixel_width() { return length(vec3(p.right_x, p.right_y, p.right_z)); }
 
+// What the next pixel to the right, and the next up, differ by. Derivatives of the device would not do: at the edge of a
+// triangle the pixels beyond it need not read buffers.
+struct PerPixel {
+    vec3 right, up;
+};
+
+PerPixel turn_of_sight(Sight a) {
+    vec3 right = vec3(p.right_x, p.right_y, p.right_z), up = vec3(p.up_x, p.up_y, p.up_z);
+    return PerPixel((right - dot(right, a.d) * a.d) / a.metres, (up - dot(up, a.d) * a.d) / a.metres);
+}
+
+// Of the place that is met `way` metres on, on a plane, where the ray starts from places that are moved and is turned.
+PerPixel moved_along(PerPixel from, PerPixel turn, vec3 d, float way, vec3 normal) {
+    return PerPixel(moved_onto(from.right + way * turn.right, d, normal),
+                    moved_onto(from.up + way * turn.up, d, normal));
+}
+
+const PerPixel unmoved = PerPixel(vec3(0), vec3(0));
+
 // Where a place of the world is in the picture. Depths fall from 1 at `near` to 0 far away.
 vec4 seen(vec3 place) {
     vec3 d = place - eye();

@@ -28,6 +28,7 @@ bool is_wet(vec2 u, float depth) { return elevation_at(cells_around(u)) > ground
 struct Slopes {
     vec2 mean;
     float variance;  // per axis, of what is spread within the footprint
+    vec2 per_x, per_y;  // change of the mean, 1/m
 };
 
 // `along` and `across` are the semi-axes of the footprint, m.
@@ -39,9 +40,10 @@ Slopes slopes_at(CellsAround c, vec2 along, vec2 across) {
     Slopes slopes;
     slopes.mean = here.xy;
     // A slope that changes evenly over the footprint's width 2 w has the variance w^2 / 3 times its change squared.
-    vec2 per_x = ((b - a).xy + c.weight.y * ((f - e) - (b - a)).xy) / (s.cell_x * p.level_scale);
-    vec2 per_y = (high - low).xy / (s.cell_y * p.level_scale);
-    vec2 change_along = per_x * along.x + per_y * along.y, change_across = per_x * across.x + per_y * across.y;
+    slopes.per_x = ((b - a).xy + c.weight.y * ((f - e) - (b - a)).xy) / (s.cell_x * p.level_scale);
+    slopes.per_y = (high - low).xy / (s.cell_y * p.level_scale);
+    vec2 change_along = slopes.per_x * along.x + slopes.per_y * along.y;
+    vec2 change_across = slopes.per_x * across.x + slopes.per_y * across.y;
     float spread = (dot(change_along, change_along) + dot(change_across, change_across)) / 6;
     slopes.variance = min(spread, s.mean_variance) + (coarse ? here.z : 0);
     return slopes;

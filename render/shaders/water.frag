@@ -16,7 +16,11 @@ struct Point {
     float width;     // of the pixel there, across the sight, m
     vec2 slope;
     float variance;
+    PerPixel moved, slope_change;  // slopes in x and y
+    PerPixel turn;                 // of the ray
 };
+
+vec3 slope_over(Slopes slopes, vec3 move) { return vec3(slopes.per_x * move.x + slopes.per_y * move.y, 0); }
 
 Point point_at(Sight a) {
     float t = way_of_fragment(gl_FragCoord.w);
@@ -31,6 +35,9 @@ Point point_at(Sight a) {
                               vec2(-level.y, level.x) * half_width);
     q.slope = slopes.mean;
     q.variance = slopes.variance;
+    q.turn = turn_of_sight(a);
+    q.moved = moved_along(unmoved, q.turn, a.d, q.distance, normal_of(q.slope));
+    q.slope_change = PerPixel(slope_over(slopes, q.moved.right), slope_over(slopes, q.moved.up));
     return q;
 }
 
@@ -40,10 +47,17 @@ float sun_transmittance(float cos_i) {
     return t + (1 - s.fresnel) * (1 - t);
 }
 
+PerPixel turned_normal(Point q, vec3 normal) {
+    return PerPixel(turn_of_normal(normal, q.slope_change.right.xy), turn_of_normal(normal, q.slope_change.up.xy));
+}
+
 vec3 from_above(Point q, vec3 d) {
     vec3 normal = normal_of(visible_slope(-d, q.slope, q.variance, 1));
+    PerPixel turned = turned_normal(q, normal);
     SightRefraction refracted = refract_sight(d, normal, s.index, s.fresnel);
-    vec3 below = seen_in_water(q.place, refracted.direction, q.width, q.variance);
+    turned = PerPixel(turn_refracted(d, normal, s.index, q.turn.right, turned.right),
+                      turn_refracted(d, normal, s.index, q.turn.up, turned.up));
+    vec3 below = seen_in_water(q.place, refracted.direction, q.width, q.moved, turned);
     if (overlay == OVERLAY_FLOOR || overlay == OVERLAY_ERROR) return below;
     vec3 sky = sky_above(reflect_sight(d, normal));
     SunSeen sun = sun_in_reflection(-d, to_sun(), q.slope, q.variance, s.sun_radius);
@@ -52,11 +66,14 @@ vec3 from_above(Point q, vec3 d) {
 }
 
 vec3 from_below(Point q, vec3 d) {
-    vec3 normal = -normal_of(visible_slope(-d, q.slope, q.variance, -1));
+    vec3 upwards = normal_of(visible_slope(-d, q.slope, q.variance, -1)), normal = -upwards;
+    PerPixel turned = turned_normal(q, upwards);
     SightRefraction refracted = refract_sight(d, normal, 1 / s.index, s.fresnel);
     vec3 mirrored = reflect_sight(d, normal);
     mirrored.z = min(mirrored.z, -0.003);
-    vec3 below = seen_in_water(q.place, mirrored, q.width, q.variance);
+    turned = PerPixel(turn_reflected(d, upwards, q.turn.right, turned.right),
+                      turn_reflected(d, upwards, q.turn.up, turned.up));
+    vec3 below = seen_in_water(q.place, mirrored, q.width, q.moved, turned);
     vec3 sky = sky_above(refracted.direction);
     SunSeen sun = sun_in_refraction(-d, to_sun(), q.slope, q.variance, s.sun_radius, max(s.index, 1.0001));
     float shine = s.sun_irradiance * sun.radiance * sun_transmittance(sun.cos_h);

@@ -97,22 +97,15 @@ vec3 scattered(vec3 from, vec3 d, float way) {
     return strength * step * sum;
 }
 
-// The footprint's widths on the pattern of what is met: their differences between pixels, which know how waves bend the
-// sight. A triangle that the near plane cuts into slivers has differences without meaning, so they count up to a few
-// times what the sight's own width and the spread of slopes within the pixel come to.
-vec2 widths_on(Meeting m, vec3 place, vec3 d, float width, float variance) {
-    float facing = m.wall < 0 ? abs(d.z) : (m.wall < 2 ? abs(d.x) : abs(d.y));
-    float most = 4 * (width + m.way * sqrt(variance)) / max(facing, 0.05);
-    return min(fwidth(on_pattern(m.wall, place)), vec2(most));
-}
-
-// Radiance that arrives at `from` along the way d, from what is met there and from the water between. `width` is that of
-// the footprint at `from`, `variance` that of the slopes within it.
-vec3 seen_in_water(vec3 from, vec3 d, float width, float variance) {
+// Radiance that arrives at `from` along the way d, from what is met there and from the water between.
+// `moved` and `turned` are those of `from` and d.
+vec3 seen_in_water(vec3 from, vec3 d, float width, PerPixel moved, PerPixel turned) {
     Meeting m = meet(from, d);
     vec3 place = from + m.way * d;
     width += m.way * pixel_width() * (1 / s.index);
-    vec3 seen = radiance_in_water(m.wall, place, width, widths_on(m, place, d, width, variance));
+    vec3 plane = m.wall < 0 ? vec3(0, 0, 1) : wall_inward(m.wall);
+    vec2 widths = widths_on_pattern(m.wall, moved_along(moved, turned, d, m.way, plane));
+    vec3 seen = radiance_in_water(m.wall, place, width, widths);
     if (overlay == OVERLAY_FLOOR || overlay == OVERLAY_ERROR) return seen;
     return seen * exp(-sight_extinction() * m.way) + scattered(from, d, m.way);
 }
