@@ -9,6 +9,7 @@
 #include "sim/shallow_water_vulkan.hpp"
 #include "tests/bench/beams.hpp"
 #include "tests/bench/floor_two_pass.hpp"
+#include "tests/bench/frame.hpp"
 #include "tests/bench/waves_shallow_water.hpp"
 
 namespace {
@@ -27,6 +28,7 @@ void register_vulkan() {
             "vulkan", [context](const ShallowWaterSettings& s) { return make_shallow_water_vulkan(s, context); },
             frames);
         bench::register_beams("vulkan", [context] { return make_beam_renderer_vulkan(context); });
+        bench::register_frames(context);
     } catch (const gpu::Error& error) {
         std::fprintf(stderr, "no vulkan cases: %s\n", error.what());
     }
