@@ -1,17 +1,20 @@
-// frame/vulkan/1280x720/SCENE: one picture of moving water with all that it shows: waves, floor map and beams on the
-// CPU, the picture on the device. Counters: milliseconds of each stage and of each pass of the picture, and whole
-// frames a second.
+// frame/vulkan/1280x720/SCENE: all that one frame takes, waves first. The time and frames_per_s are those of
+// everything. Counters (ms): waves; floor map; beams, made and drawn at half the frame's pixels each way; the picture;
+// and of it each pass by the device's clock as pass_NAME_ms, pass_prepare_ms by the host's, and pass_none_ms in none of
+// them.
+//
+// pool: from beside it, below its rim, with shafts. pool_above: from above. sea: from a deck, to the horizon.
+// sea_below: upwards, with shafts.
 #include "tests/bench/frame.hpp"
 
 #include <benchmark/benchmark.h>
-#include <fmt/format.h>
 
 #include <chrono>
-#include <functional>
 #include <map>
-#include <optional>
 #include <string>
 
+#include "caustics/beam_renderer_vulkan.hpp"
+#include "caustics/floor_vulkan.hpp"
 #include "render/scene_renderer.hpp"
 #include "sim/airy.hpp"
 
@@ -19,154 +22,170 @@ namespace waterlight::bench {
 
 namespace {
 
-constexpr double frame_s = 1.0 / 30;
+constexpr glm::ivec2 frame_size{1280, 720};
 
-/// What a frame is made of; members are made anew from the surface in each.
-class Frames {
+struct FrameCase {
+    std::string name;
+    AirySettings waves;
+    WaterOptics optics;
+    Camera camera;
+    glm::ivec2 floor_pixels{0, 0};  ///< 0: no floor map
+    glm::ivec2 beam_cells{0, 0};    ///< 0: no beams
+};
+
+Camera camera_at(glm::dvec3 from, glm::dvec3 to, double fov_deg) {
+    Camera camera;
+    camera.position_m = from;
+    camera.target_m = to;
+    camera.fov_deg = fov_deg;
+    camera.size = frame_size;
+    return camera;
+}
+
+AirySettings pool_waves() {
+    AirySettings s;
+    s.grid = make_grid(256, 192, 8, 6);
+    s.boundary = {Side::wall, Side::wall};
+    s.water.depth_m = 2;
+    s.sources = {Drop{{2.6, 2.1}, 0.16, 0.06, 0}, Drop{{5.6, 3.9}, 0.13, 0.045, 0.4},
+                 Drop{{4.1, 1.2}, 0.1, -0.03, 0.9}};
+    return s;
+}
+
+AirySettings sea_waves() {
+    AirySettings s;
+    s.grid = make_grid(256, 256, 32, 32);
+    s.boundary = {Side::periodic, Side::periodic};
+    s.water.depth_m = 16;
+    SpectrumSettings spectrum;
+    spectrum.significant_height_m = 0.4;
+    spectrum.peak_period_s = 3;
+    s.sea = Sea{make_spectrum(spectrum, s.water), 1};
+    return s;
+}
+
+std::vector<FrameCase> cases() {
+    WaterOptics clear;
+    clear.absorption_per_m = 0.05;
+    WaterOptics turbid = clear;
+    turbid.scattering_per_m = 0.05;
+    return {{"pool", pool_waves(), turbid, camera_at({4, -4.5, -0.9}, {4, 2, -1.05}, 40), {512, 384}, {128, 96}},
+            {"pool_above", pool_waves(), clear, camera_at({4, -3, 4}, {4, 2.6, -0.6}, 50), {512, 384}},
+            {"sea", sea_waves(), turbid, camera_at({10, 14, 2.5}, {20, 17, 1.6}, 55)},
+            {"sea_below", sea_waves(), turbid, camera_at({10, 14, -6}, {15, 16.3, -0.4}, 75), {}, {128, 128}}};
+}
+
+/// Seconds by stage, summed over frames.
+class StageSeconds {
   public:
-    Frames(const std::shared_ptr<gpu::Context>& context, Side side, glm::dvec2 size_m, glm::ivec2 cells, double depth_m)
-        : renderer_(context), beam_renderer_(make_beam_renderer_cpu()) {
-        waves_.grid = make_grid(cells.x, cells.y, size_m.x, size_m.y);
-        waves_.boundary = {side, side};
-        waves_.water.depth_m = depth_m;
-        scene_.depth_m = depth_m;
-        scene_.sun = {.elevation_deg = 60, .azimuth_deg = 30, .irradiance_w_m2 = 1000};
-        camera_.size = {1280, 720};
+    template <class Work>
+    void time(const std::string& stage, Work work) {
+        const auto start = std::chrono::steady_clock::now();
+        work();
+        seconds_[stage] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
-
-    void next(benchmark::State& state) {
-        timed("waves", [&] {
-            model_->advance(frame_s);
-            scene_.surface = &model_->surface();
-        });
-        if (floor_) timed("floor", [&] { floor_->compute(*scene_.surface, map_); });
-        timed("beams", [&] { light_water(); });
-        timed("picture", [&] { renderer_.draw(scene_, look_, camera_); });
-        for (const StageTime& pass : renderer_.stage_times()) seconds_["pass_" + pass.stage] += pass.seconds;
-        benchmark::DoNotOptimize(state.iterations());
-    }
-
-    void count(benchmark::State& state) const {
+    void add(const StageTime& pass) { seconds_["pass_" + pass.stage] += pass.seconds; }
+    void count(benchmark::State& state) {
+        double none = seconds_["picture"];
+        for (const auto& [stage, s] : seconds_)
+            if (stage.starts_with("pass_")) none -= s;
+        seconds_["pass_none"] = none;
         for (const auto& [stage, s] : seconds_)
             state.counters[stage + "_ms"] = benchmark::Counter(1e3 * s, benchmark::Counter::kAvgIterations);
         state.counters["frames_per_s"] = benchmark::Counter(1, benchmark::Counter::kIsIterationInvariantRate);
     }
 
-  protected:
-    virtual void light_water() = 0;
-    ~Frames() = default;
-
-    void light_floor(int width, int height) {
-        FloorSettings settings;
-        settings.plan = cover(waves_.grid, width, height);
-        settings.depth_m = scene_.depth_m;
-        settings.sun = scene_.sun;
-        settings.optics = scene_.optics;
-        floor_ = make_floor_cpu(settings);
-        scene_.floor = &map_.irradiance;
-        scene_.floor_plan = settings.plan;
-    }
-
-    BeamSettings beam_settings(glm::ivec2 grid) const {
-        BeamSettings settings;
-        settings.grid = grid;
-        settings.depth_m = scene_.depth_m;
-        settings.sun = scene_.sun;
-        settings.optics = scene_.optics;
-        return settings;
-    }
-
-    template <class Work>
-    void timed(const std::string& stage, Work work) {
-        const auto start = std::chrono::steady_clock::now();
-        work();
-        seconds_[stage] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    }
-
-    AirySettings waves_;
-    std::unique_ptr<AiryModel> model_;
-    std::unique_ptr<FloorMapper> floor_;
-    FloorMap map_;
-    Beams beams_;
-    Scene scene_;
-    Look look_;
-    Camera camera_;
-    SceneRenderer renderer_;
-    std::unique_ptr<BeamRenderer> beam_renderer_;
+  private:
     std::map<std::string, double> seconds_;
 };
 
-/// A pool from above: 256 x 192 cells, a map of 512 x 384 pixels, light in the water as fields of half the beams' grid.
-class PoolFromAbove final : public Frames {
+/// A scene that moves, and what is made of it frame by frame.
+class Frames {
   public:
-    explicit PoolFromAbove(const std::shared_ptr<gpu::Context>& context)
-        : Frames(context, Side::wall, {8, 6}, {256, 192}, 2) {
-        waves_.sources = {Drop{{2.6, 2.1}, .16, .06, 0}, Drop{{5.6, 3.9}, .13, .045, .1},
-                          Drop{{4.1, 1.2}, .1, -.03, .2}};
-        model_ = make_airy(waves_);
-        model_->advance(1);
-        scene_.optics.absorption_per_m = scene_.optics.scattering_per_m = .02;
-        light_floor(512, 384);
-        camera_.position_m = {4, -4.5, 5};
-        camera_.target_m = {4, 2.6, -1};
-        scene_.volume = &volume_;
+    Frames(const FrameCase& c, const std::shared_ptr<gpu::Context>& context)
+        : case_(c), waves_(make_airy(c.waves)), renderer_(context) {
+        const bool on_cpu = context->device().type == gpu::DeviceType::cpu;
+        scene_.depth_m = c.waves.water.depth_m;
+        scene_.sun = sun;
+        scene_.optics = c.optics;
+        if (c.floor_pixels.x > 0) {
+            FloorSettings s;
+            s.plan = scene_.floor_plan = cover(c.waves.grid, c.floor_pixels.x, c.floor_pixels.y);
+            s.depth_m = scene_.depth_m;
+            s.sun = sun;
+            s.optics = c.optics;
+            mapper_ = on_cpu ? make_floor_cpu(s) : make_floor_vulkan(s, context);
+        }
+        if (c.beam_cells.x > 0) beam_renderer_ = on_cpu ? make_beam_renderer_cpu() : make_beam_renderer_vulkan(context);
+        // Rings and shafts have spread by then, and buffers have their sizes.
+        waves_->advance(1.5);
+        StageSeconds ignored;
+        frame(ignored);
+    }
+
+    void frame(StageSeconds& times) {
+        times.time("waves", [this] {
+            waves_->advance(1.0 / 60);
+            scene_.surface = &waves_->surface();
+        });
+        if (mapper_) times.time("floor", [this] { map_floor(); });
+        if (beam_renderer_) times.time("beams", [this] { draw_beams(); });
+        times.time("picture", [this] { renderer_.draw(scene_, look_, case_.camera); });
+        for (const StageTime& pass : renderer_.stage_times()) times.add(pass);
     }
 
   private:
-    void light_water() override {
-        make_beams(beam_settings({128, 96}), *scene_.surface, beams_);
-        beam_renderer_->fill(beams_, {64, 48, 16}, volume_);
+    static constexpr Sun sun{60, 30, 1000};
+
+    void map_floor() {
+        mapper_->compute(*scene_.surface, map_);
+        scene_.floor = &map_.irradiance;
     }
-    BeamVolume volume_;
+
+    void draw_beams() {
+        BeamSettings settings;
+        settings.grid = case_.beam_cells;
+        settings.depth_m = scene_.depth_m;
+        settings.sun = sun;
+        settings.optics = case_.optics;
+        make_beams(settings, *scene_.surface, beams_);
+        BeamImageSettings picture;
+        picture.camera = case_.camera;
+        picture.camera.size /= 2;
+        picture.optics = case_.optics;
+        picture.range_m = 24;
+        beam_renderer_->draw(picture, beams_, image_);
+        scene_.beams = &image_;
+    }
+
+    FrameCase case_;
+    std::unique_ptr<AiryModel> waves_;
+    std::unique_ptr<FloorMapper> mapper_;
+    std::unique_ptr<BeamRenderer> beam_renderer_;
+    FloorMap map_;
+    Beams beams_;
+    BeamImage image_;
+    Scene scene_;
+    Look look_;
+    SceneRenderer renderer_;
 };
 
-/// A sea from below, with the beams' picture at half its size; its floor is dark.
-class OpenSea final : public Frames {
-  public:
-    explicit OpenSea(const std::shared_ptr<gpu::Context>& context)
-        : Frames(context, Side::periodic, {32, 32}, {256, 256}, 16) {
-        const SpectrumSettings wind{.significant_height_m = .5, .peak_period_s = 3.5};
-        waves_.sea = waterlight::Sea{make_spectrum(wind, waves_.water)};
-        model_ = make_airy(waves_);
-        scene_.optics.absorption_per_m = .114;
-        scene_.optics.scattering_per_m = .037;
-        look_.floor.pattern = Finish::Pattern::sand;
-        camera_.position_m = {10, 14, -6};
-        camera_.target_m = {15, 16.33, -.4};
-        camera_.fov_deg = 75;
-        scene_.beams = &picture_;
-    }
-
-  private:
-    void light_water() override {
-        make_beams(beam_settings({128, 128}), *scene_.surface, beams_);
-        BeamImageSettings settings;
-        settings.camera = camera_;
-        settings.camera.size = camera_.size / 2;
-        settings.optics = scene_.optics;
-        settings.range_m = 24;
-        beam_renderer_->draw(settings, beams_, picture_);
-    }
-    BeamImage picture_;
-};
-
-template <class Scene>
-void frames(benchmark::State& state, const std::shared_ptr<gpu::Context>& context) {
-    Scene scene(context);
-    for (auto _ : state) scene.next(state);
-    scene.count(state);
+void frames(benchmark::State& state, const FrameCase& c, const std::shared_ptr<gpu::Context>& context) {
+    Frames all(c, context);
+    StageSeconds times;
+    for (auto _ : state) all.frame(times);
+    times.count(state);
 }
 
 }  // namespace
 
 void register_frames(const std::shared_ptr<gpu::Context>& context) {
-    const auto add = [&](const char* name, auto run) {
-        benchmark::RegisterBenchmark(name, [=](benchmark::State& state) { run(state, context); })
+    for (const FrameCase& c : cases()) {
+        const std::string name = "frame/vulkan/1280x720/" + c.name;
+        benchmark::RegisterBenchmark(name.c_str(), [c, context](benchmark::State& state) { frames(state, c, context); })
             ->Unit(benchmark::kMillisecond)
             ->UseRealTime();
-    };
-    add("frame/vulkan/1280x720/pool", frames<PoolFromAbove>);
-    add("frame/vulkan/1280x720/sea", frames<OpenSea>);
+    }
 }
 
 }  // namespace waterlight::bench
