@@ -167,5 +167,43 @@ TEST_F(PictureJoints, OfAFloorInTheMirrorOfTheSurface) {
     }
 }
 
+/// Standard deviation of the middle colour, and of its difference from another picture.
+struct Spread {
+    double own = 0, difference = 0;
+};
+
+Spread spread(const Radiance& a, const std::vector<double>& b) {
+    const auto count = static_cast<double>(b.size());
+    double sum = 0, squares = 0, off = 0;
+    for (std::size_t k = 0; k < b.size(); ++k) {
+        const double v = a.rgb[3 * k + 1];
+        sum += v / count;
+        squares += v * v / count;
+        off += (v - b[k]) * (v - b[k]) / count;
+    }
+    return {std::sqrt(squares - sum * sum), std::sqrt(off)};
+}
+
+// Under waves that widen and narrow tiles, joints are finer than pixels; each shows the mean of what it covers.
+TEST_F(PictureJoints, UnderWavesAPixelIsTheMeanOfAFinerPicture) {
+    constexpr int finer = 8;
+    const Surface surface = wavy_surface(Side::periodic);
+    const glm::ivec2 size{120, 90};
+    const Radiance coarse = draw(surface, camera_at({4.1, 2.9, 3}, {4.3, 3.1, 0}, size), 4.0 / 3);
+    const Radiance fine = draw(surface, camera_at({4.1, 2.9, 3}, {4.3, 3.1, 0}, finer * size), 4.0 / 3);
+    std::vector<double> means(static_cast<std::size_t>(size.x * size.y));
+    for (int j = 0; j < fine.size.y; ++j)
+        for (int i = 0; i < fine.size.x; ++i)
+            means[static_cast<std::size_t>(j / finer * size.x + i / finer)] +=
+                radiance_at(fine, i, j).y / (finer * finer);
+    Radiance mean = coarse;
+    for (std::size_t k = 0; k < means.size(); ++k) mean.rgb[3 * k + 1] = static_cast<float>(means[k]);
+    const Spread found = spread(coarse, means), right = spread(mean, means);
+    RecordProperty("contrast", fmt::format("{:.3f}", found.own / right.own));
+    RecordProperty("difference", fmt::format("{:.3f}", found.difference / right.own));
+    EXPECT_NEAR(found.own / right.own, 1, 0.1);
+    EXPECT_LT(found.difference / right.own, 0.3);
+}
+
 }  // namespace
 }  // namespace waterlight

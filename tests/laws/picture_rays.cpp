@@ -1,6 +1,9 @@
 // How far the sight through the surface moves from pixel to pixel, against differences of the sight itself.
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <numbers>
+
 #include "render/kernels/view_ray.hpp"
 
 namespace waterlight {
@@ -40,6 +43,38 @@ TEST(PictureRays, APlaceMovesOnItsPlaneAsItsRayTurns) {
     const auto way = [&](double u) { return -glm::dot(eye, normal) / glm::dot(ray(u), normal); };
     const auto place = [&](double u) { return eye + way(u) * ray(u); };
     expect_same(f64::moved_onto(way(0) * turn_d(), ray(0), normal), (place(step) - place(-step)) / (2 * step));
+}
+
+/// The integral over the directions above (1) or below (-1) the water, by midpoints.
+double over_directions(double side, const std::function<double(glm::dvec3)>& of) {
+    constexpr int rings = 600, sectors = 1200;
+    double sum = 0;
+    for (int i = 0; i < rings; ++i)
+        for (int j = 0; j < sectors; ++j) {
+            const double z = (i + 0.5) / rings, across = std::sqrt(1 - z * z);
+            const double azimuth = 2 * std::numbers::pi * (j + 0.5) / sectors;
+            sum += of({across * std::cos(azimuth), across * std::sin(azimuth), side * z});
+        }
+    return sum * 2 * std::numbers::pi / (rings * sectors);
+}
+
+// A level metre of rough water takes the sun's E0 sin(elevation), however rough, where no facet turns away from it. All
+// of it goes on, in some direction, before reflectance and transmittance: radiance times the part that is seen adds up.
+TEST(PictureRays, FacetsSendOnAllThatTheyTake) {
+    const glm::dvec3 to_sun = glm::normalize(glm::dvec3{0.4, 0.2, 1});
+    for (const double variance : {0.002, 0.02}) {
+        const double reflected = over_directions(1, [&](glm::dvec3 to_eye) {
+            return f64::sun_in_reflection(to_eye, to_sun, {0, 0}, variance, 0).radiance *
+                   f64::visible_part(to_eye, {0, 0}, variance, 1);
+        });
+        EXPECT_NEAR(reflected / to_sun.z, 1, 2e-3) << "variance " << variance;
+        constexpr double n = 4.0 / 3.0;
+        const double refracted = over_directions(-1, [&](glm::dvec3 to_eye) {
+            return n * n * f64::sun_in_refraction(to_eye, to_sun, {0, 0}, variance, 0, n).radiance *
+                   f64::visible_part(to_eye, {0, 0}, variance, -1);
+        });
+        EXPECT_NEAR(refracted / to_sun.z, 1, 2e-3) << "variance " << variance;
+    }
 }
 
 }  // namespace
