@@ -119,7 +119,7 @@ void plan_copies(const Frame& frame, Spans x, Spans y, WaterMeshes& out) {
             copies[{level_at(frame, distance), spacing_at(frame, distance)}].emplace_back(to.x, to.y, climb, 0);
         }
     for (const auto& [detail, shifts] : copies) {
-        const auto parts = [&](int n) { return (n + detail.spacing - 1) / detail.spacing; };
+        const auto parts = [spacing = detail.spacing](int n) { return (n + spacing - 1) / spacing; };
         // Half a cell more over periodic sides: meshes of different spacing leave no gap.
         const float more_x = surface.boundary.x == Side::periodic ? 0.5F : 0;
         const float more_y = surface.boundary.y == Side::periodic ? 0.5F : 0;
