@@ -59,6 +59,7 @@ double pixel_width(const PassParameters& v) { return glm::length(glm::dvec3{v.ri
 
 /// Level of the fields whose cells the pixels at this distance are as large as, in the mean of both their axes.
 int level_at(const Frame& frame, double distance) {
+    distance = std::max(distance, nearest_m);
     const double height = std::abs(frame.eye().z);
     const double stretch = std::sqrt(std::max(distance, height) / std::max(height, 0.02 * distance));
     const double cells = pixel_width(frame.view) * distance * stretch / frame.scene.surface->grid.dx_m;
