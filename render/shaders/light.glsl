@@ -71,11 +71,12 @@ vec3 ambient_at(float depth, vec3 sun) {
         ambient_on_floor(s.sky_b, sun.b, s.mean_b, s.r_ext, s.r_int, diffuse_passage(a.b, depth)));
 }
 
-// Diffuse light on a wall: half of what comes down and half of what comes up there.
+// Diffuse light on a wall: half of what comes down and half of what comes up there. ambient_* is the one at the floor,
+// up_* the other at the surface.
 vec3 ambient_on_wall(float depth) {
-    vec3 passed = exp(-1.2 * diffuse_absorption() * (s.depth - depth));
-    return 0.5 * (vec3(s.ambient_r, s.ambient_g, s.ambient_b) / max(passed, vec3(0.05)) +
-                  vec3(s.up_r, s.up_g, s.up_b) * passed);
+    vec3 below = exp(-1.2 * diffuse_absorption() * (s.depth - depth)), above = exp(-1.2 * diffuse_absorption() * depth);
+    return 0.5 * (vec3(s.ambient_r, s.ambient_g, s.ambient_b) / max(below, vec3(1e-6)) +
+                  vec3(s.up_r, s.up_g, s.up_b) / max(above, vec3(1e-6)));
 }
 
 vec3 wall_inward(int wall) {
