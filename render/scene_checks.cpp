@@ -42,6 +42,9 @@ void check_camera(const Camera& c) {
     if (c.size.x < 1 || c.size.y < 1)
         throw InputError(fmt::format("camera: size is {} x {} pixels; at least 1 x 1", c.size.x, c.size.y));
     if (!(c.fov_deg > 0 && c.fov_deg < 180)) throw InputError("camera: fov_deg must be in (0, 180)");
+    for (int k = 0; k < 3; ++k)
+        if (!std::isfinite(c.position_m[k]) || !std::isfinite(c.target_m[k]))
+            throw InputError("camera: position_m and target_m must be finite");
     if (c.position_m == c.target_m) throw InputError("camera: it must not stand on its target");
 }
 

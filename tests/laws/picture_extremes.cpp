@@ -1,5 +1,8 @@
 // The mirrored sun keeps its power, and no camera or sky draws what is not a number.
+#include <limits>
+
 #include "caustics/kernels/optics.hpp"
+#include "sim/error.hpp"
 #include "tests/support/render_scenes.hpp"
 
 namespace waterlight {
@@ -75,6 +78,16 @@ TEST_F(PictureExtremes, NothingButNumbersAtAnySun) {
             expect_finite(scene, {}, camera_at({4, -3, 3}, {4, 3, 0}, {40, 30}));
             expect_finite(scene, {}, camera_at({4, 1, -1}, {4, 3, 0}, {40, 30}));
         }
+}
+
+TEST_F(PictureExtremes, ACameraNowhereIsRefused) {
+    const Surface surface = calm_surface(Side::wall);
+    Scene scene;
+    scene.surface = &surface;
+    for (const double nowhere : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        EXPECT_THROW(renderer->draw(scene, {}, camera_at({nowhere, 0, 1}, {4, 3, 0})), InputError);
+        EXPECT_THROW(renderer->draw(scene, {}, camera_at({4, 3, 1}, {4, 3, nowhere})), InputError);
+    }
 }
 
 TEST_F(PictureExtremes, TheSmallestPicturesAndGrids) {
