@@ -22,6 +22,7 @@
 #include "app/run_folder.hpp"
 #include "app/shallow_watch.hpp"
 #include "app/summary.hpp"
+#include "app/timed.hpp"
 #include "app/wall_stage.hpp"
 #include "export/checkpoint_file.hpp"
 #include "export/report.hpp"
@@ -36,14 +37,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-/// Adds the time that work takes to a stage.
-template <class Work>
-void timed(double& stage_s, Work work) {
-    const Clock::time_point start = Clock::now();
-    work();
-    stage_s += std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// What a part of the program refuses, with the place of the section that asked for it.
 template <class Work>

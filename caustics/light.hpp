@@ -7,6 +7,9 @@
 
 namespace waterlight {
 
+/// Half-angle of the sun's disc as seen from the earth, degrees.
+inline constexpr double solar_radius_deg = 0.2665;
+
 /// The sun: parallel light.
 struct Sun {
     double elevation_deg = 90;      ///< above the horizon; at or below 0 gives no light

@@ -5,6 +5,8 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
+#include "caustics/water_colour.hpp"
+
 namespace waterlight {
 
 /// How a surface of the pool or the ground looks. Every one is a diffuse (Lambertian) reflector.
@@ -45,7 +47,7 @@ struct Look {
     int samples = 4;  ///< of a pixel along edges: 1, 2, 4 or 8, or the most that the device has
     /// Absorption (1/m) of red, green and blue beyond the scenario's own, on the light's way and on the camera's. The
     /// default is that of pure water (Pope & Fry 1997) at 650, 550 and 450 nm.
-    glm::dvec3 colour_per_m{0.340, 0.0565, 0.0092};
+    glm::dvec3 colour_per_m{pure_water_absorption(650), pure_water_absorption(550), pure_water_absorption(450)};
     Overlay overlay = Overlay::none;
     OverlayRange range;
     bool operator==(const Look&) const = default;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <numbers>
 
 #include "render/look.hpp"
 #include "render/scene.hpp"
@@ -9,7 +10,7 @@
 namespace waterlight {
 
 /// Half-angle of the sun's disc as seen from the earth, radians.
-inline constexpr double sun_radius = 0.2665 * 3.14159265358979323846 / 180;
+inline constexpr double sun_radius = solar_radius_deg * std::numbers::pi / 180;
 
 /// Hemispherical reflectance of flat water of index n for a uniform sky; 0 without Fresnel's. 0.0660 at n = 4/3.
 double diffuse_reflectance(double n, bool fresnel);

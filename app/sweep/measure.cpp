@@ -4,7 +4,6 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
 #include <new>
 
@@ -12,21 +11,13 @@
 #include "app/readings.hpp"
 #include "app/sweep/raster.hpp"
 #include "app/sweep/store.hpp"
+#include "app/timed.hpp"
 #include "export/atomic_file.hpp"
 #include "gpu/error.hpp"
 
 namespace waterlight {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-template <class Work>
-void timed(double& stage_s, Work work) {
-    const Clock::time_point start = Clock::now();
-    work();
-    stage_s += std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// Called at the k-th judged time; `map` is null without a floor.
 using Judge = std::function<void(std::size_t k, const Surface& surface, const FloorMap* map)>;

@@ -109,11 +109,6 @@ class PictureRadiance : public GpuTest {
     }
 };
 
-TEST_F(PictureRadiance, TheFloorInSunlightAlone) {
-    calm.absorption = 0.2;
-    draw_and_expect(calm_surface(Side::periodic), camera_at({4, 1, 3}, {5, 3, -1}, {65, 65}), false);
-}
-
 TEST_F(PictureRadiance, TheFloorInSunAndSky) {
     calm.sky = 250;
     calm.absorption = 0.1;
