@@ -23,6 +23,7 @@ void add_ledger(std::string_view of, const LightLedger& l, std::map<std::string,
     add("floor", l.floor_w);
     add("walls", l.walls_w);
     add("outside", l.outside_w);
+    add("objects", l.objects_w);
     add("lost", l.lost_w);
 }
 

@@ -18,8 +18,8 @@ using Json = nlohmann::ordered_json;
 Json ledger_json(const LightLedger& l) {
     return {{"incident_w", l.incident_w}, {"entered_w", l.entered_w},     {"reflected_w", l.reflected_w},
             {"absorbed_w", l.absorbed_w}, {"scattered_w", l.scattered_w}, {"floor_w", l.floor_w},
-            {"walls_w", l.walls_w},       {"outside_w", l.outside_w},     {"lost_w", l.lost_w},
-            {"closure", l.closure()}};
+            {"walls_w", l.walls_w},       {"outside_w", l.outside_w},     {"objects_w", l.objects_w},
+            {"lost_w", l.lost_w},         {"closure", l.closure()}};
 }
 
 /// Of all frames together, the last, and the largest part that a frame leaves unaccounted for; each frame's is a row of
@@ -31,7 +31,7 @@ Json ledgers_json(const LightLedger& sum, const LightLedger& last, double worst_
 }
 
 Json floor_json(const FloorRecord& floor, FloorMethod method, bool on_ground) {
-    Json json{{"method", method == FloorMethod::truth ? "truth" : "two-pass"},
+    Json json{{"method", name_of(method)},
               {"mean_irradiance_w_m2", floor.last.mean},
               {"min_irradiance_w_m2", floor.last.min},
               {"max_irradiance_w_m2", floor.last.max},
@@ -53,6 +53,7 @@ Json reflected_json(const BeamLedger& l, double per) {
             {"outside_w", l.outside_w * per},
             {"discarded_w", l.discarded_w * per},
             {"dry_w", l.dry_w * per},
+            {"objects_w", l.objects_w * per},
             {"closure", l.closure()}};
 }
 

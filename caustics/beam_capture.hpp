@@ -2,7 +2,6 @@
 #pragma once
 
 #include "caustics/beams.hpp"
-#include "sim/sines.hpp"
 
 namespace waterlight {
 
@@ -27,13 +26,11 @@ class SurfaceCapture {
     glm::dvec2 slant() const { return slant_; }
 
   private:
-    SurfacePoint surface_at(glm::dvec2 at_m) const;
     glm::dvec2 hold(glm::dvec2 at_m) const;
     double meet(glm::dvec2 at_m) const;
 
     const Surface& surface_;
     glm::dvec2 slant_;
-    glm::dvec2 climb_;
     double low_ = 0, high_ = 0;
     int steps_ = 1;  ///< of the march from high_ to low_
 };

@@ -225,13 +225,14 @@ BeamLedger operator+(BeamLedger a, const BeamLedger& b) {
     a.extinguished_w += b.extinguished_w;
     a.floor_w += b.floor_w;
     a.outside_w += b.outside_w;
+    a.objects_w += b.objects_w;
     a.discarded_w += b.discarded_w;
     a.dry_w += b.dry_w;
     return a;
 }
 
 double BeamLedger::closure() const {
-    const double accounted = reflected_w + extinguished_w + floor_w + outside_w + discarded_w + dry_w;
+    const double accounted = reflected_w + extinguished_w + floor_w + outside_w + discarded_w + dry_w + objects_w;
     return incident_w > 0 ? std::abs(incident_w - accounted) / incident_w : 0;
 }
 

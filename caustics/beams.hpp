@@ -14,6 +14,8 @@
 
 namespace waterlight {
 
+class ObjectSet;
+
 /// A rectangle of the plane z = 0 that the sun's rays cross on their way to the surface.
 struct BeamWindow {
     glm::dvec2 origin_m{0, 0};
@@ -27,11 +29,14 @@ struct BeamSettings {
     std::shared_ptr<const BeamGround> ground;  ///< none: a flat floor
     Sun sun;
     WaterOptics optics;
+    /// What stops beams; none: nothing. Glass and mirrors stop them as well. Placed by the surface's time.
+    std::shared_ptr<const ObjectSet> objects;
     /// Triangles that face the sun less than this are discarded (the paper's heuristic), in [0, 1).
     double least_cosine = 0.02;
 };
 
-/// Where the light on the grid went, in watts. incident = reflected + extinguished + floor + outside + discarded + dry.
+/// Where the light on the grid went, in watts. incident = reflected + extinguished + floor + outside + objects +
+/// discarded + dry.
 struct BeamLedger {
     double incident_w = 0;
     double reflected_w = 0;     ///< off the surface; of reflected beams, what the surface lets in
@@ -40,6 +45,7 @@ struct BeamLedger {
     double outside_w = 0;    ///< landed beyond the domain's sides
     double discarded_w = 0;  ///< on triangles that turn away from the sun
     double dry_w = 0;        ///< on ground without water
+    double objects_w = 0;    ///< stopped by objects
     /// |what is unaccounted for| / incident; 0 where there is no light.
     double closure() const;
 };

@@ -35,7 +35,7 @@ FloorPlan cover(const Grid& grid, int width, int height) {
 
 double FloorLedger::closure() const {
     const double in = incident_w + entered_w;
-    const double out = reflected_w + extinguished_w + floor_w + outside_w + lost_w;
+    const double out = reflected_w + extinguished_w + floor_w + outside_w + lost_w + objects_w;
     return in == 0 && out == 0 ? 0 : std::abs(in - out) / in;
 }
 

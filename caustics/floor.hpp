@@ -13,6 +13,8 @@
 
 namespace waterlight {
 
+class ObjectSet;
+
 /// Where the map lies on the floor: width x height pixels of pitch_m, turned by angle_deg about `origin_m`, the outer
 /// corner of pixel (0, 0).
 struct FloorPlan {
@@ -55,10 +57,14 @@ struct FloorSettings {
     double depth_m = 1;                 ///< floor at z = -depth, > 0
     Sun sun;
     WaterOptics optics;
+    double wavelength_nm = 587.6;  ///< of the light, which glass feels; the water's part is in `optics`
+    /// What is in the light's way; none: nothing. Methods that do not follow light through glass or off mirrors stop it
+    /// there. Where they are is taken from the surface's time.
+    std::shared_ptr<const ObjectSet> objects;
 };
 
 /// Where the light of one map went, in watts, over the samples that lie in the domain (periodic sides: over one copy of
-/// each). incident + entered = reflected + extinguished + floor + outside + lost.
+/// each). incident + entered = reflected + extinguished + floor + objects + outside + lost.
 struct FloorLedger {
     double incident_w = 0;
     double reflected_w = 0;
@@ -66,6 +72,7 @@ struct FloorLedger {
     double floor_w = 0;         ///< on the map, summed over its pixels
     double outside_w = 0;       ///< landed beyond the map: walls, or floor the map does not cover
     double lost_w = 0;          ///< landed beyond the window
+    double objects_w = 0;       ///< stopped by objects
     double entered_w = 0;       ///< landed on the map from beyond the domain
     /// |what is unaccounted for| / (incident + entered); 0 where there is no light.
     double closure() const;

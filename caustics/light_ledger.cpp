@@ -15,7 +15,7 @@ double scattered_part(const WaterOptics& optics) {
 
 double LightLedger::closure() const {
     const double in = incident_w + entered_w;
-    const double out = reflected_w + absorbed_w + scattered_w + floor_w + walls_w + outside_w + lost_w;
+    const double out = reflected_w + absorbed_w + scattered_w + floor_w + walls_w + outside_w + objects_w + lost_w;
     return in == 0 && out == 0 ? 0 : std::abs(in - out) / in;
 }
 
@@ -28,13 +28,14 @@ LightLedger& LightLedger::operator+=(const LightLedger& other) {
     floor_w += other.floor_w;
     walls_w += other.walls_w;
     outside_w += other.outside_w;
+    objects_w += other.objects_w;
     lost_w += other.lost_w;
     return *this;
 }
 
 LightLedger LightLedger::scaled(double by) const {
     return {incident_w * by, entered_w * by, reflected_w * by, absorbed_w * by, scattered_w * by,
-            floor_w * by,    walls_w * by,   outside_w * by,   lost_w * by};
+            floor_w * by,    walls_w * by,   outside_w * by,   objects_w * by,  lost_w * by};
 }
 
 LightLedger light_ledger(const FloorLedger& l, const WaterOptics& optics) {
@@ -46,6 +47,7 @@ LightLedger light_ledger(const FloorLedger& l, const WaterOptics& optics) {
             .scattered_w = scattered,
             .floor_w = l.floor_w,
             .outside_w = l.outside_w,
+            .objects_w = l.objects_w,
             .lost_w = l.lost_w};
 }
 
@@ -57,6 +59,7 @@ LightLedger light_ledger(const BeamLedger& l, const WaterOptics& optics) {
             .scattered_w = scattered,
             .floor_w = l.floor_w,
             .outside_w = l.outside_w + l.dry_w,
+            .objects_w = l.objects_w,
             .lost_w = l.discarded_w};
 }
 

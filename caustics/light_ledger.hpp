@@ -6,7 +6,7 @@
 
 namespace waterlight {
 
-/// Powers in watts. incident + entered = reflected + absorbed + scattered + floor + walls + outside + lost.
+/// Powers in watts. incident + entered = reflected + absorbed + scattered + floor + walls + objects + outside + lost.
 struct LightLedger {
     double incident_w = 0;   ///< on the surface
     double entered_w = 0;    ///< landed on the map from beyond the domain
@@ -16,6 +16,7 @@ struct LightLedger {
     double floor_w = 0;
     double walls_w = 0;    ///< on walls that are receivers
     double outside_w = 0;  ///< beyond the map or the domain, walls that are none among it, or on dry ground
+    double objects_w = 0;  ///< stopped by objects
     double lost_w = 0;     ///< not followed to its end: beyond the window, or on a discarded triangle
 
     /// |what is unaccounted for| / (incident + entered); 0 where there is no light.

@@ -249,6 +249,7 @@ void add(const FloorLedger& from, FloorLedger& to) {
     to.reflected_w += from.reflected_w;
     to.extinguished_w += from.extinguished_w;
     to.outside_w += from.outside_w;
+    to.objects_w += from.objects_w;
     to.entered_w += from.entered_w;
 }
 

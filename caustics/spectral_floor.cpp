@@ -40,6 +40,7 @@ void add(const FloorLedger& from, FloorLedger& to) {
     to.extinguished_w += from.extinguished_w;
     to.floor_w += from.floor_w;
     to.outside_w += from.outside_w;
+    to.objects_w += from.objects_w;
     to.lost_w += from.lost_w;
     to.entered_w += from.entered_w;
 }
@@ -52,6 +53,7 @@ SpectralFloor::SpectralFloor(const FloorSettings& settings, const std::vector<Ba
         FloorSettings of_band = settings;
         of_band.sun.irradiance_w_m2 *= band.share;
         of_band.optics = band.optics;
+        of_band.wavelength_nm = band.wavelength_nm;
         mappers_.push_back(make(of_band));
         maps_.push_back({band, {}});
     }

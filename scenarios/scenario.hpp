@@ -6,11 +6,15 @@
 #include <glm/vec2.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "caustics/camera.hpp"
 #include "caustics/floor.hpp"
 #include "caustics/light.hpp"
+#include "caustics/objects/object_set.hpp"
+#include "caustics/photons/photons.hpp"
+#include "caustics/splat/splat.hpp"
 #include "export/vti.hpp"
 #include "scenarios/check.hpp"
 #include "scenarios/inflow.hpp"
@@ -31,7 +35,9 @@ namespace waterlight {
 /// The rungs of the ladder of wave models; automatic lets the program choose.
 enum class ModelChoice { automatic, linear, airy, shallow_water, prescribed };
 
-enum class FloorMethod { two_pass, truth };
+enum class FloorMethod { two_pass, truth, quads, splat, photons };
+/// The name of a method as a scenario has it.
+std::string_view name_of(FloorMethod method);
 
 /// The patch of water, [0, size] with the grid's cells.
 struct DomainSection {
@@ -77,6 +83,8 @@ struct FloorSection {
     std::optional<glm::dvec2> size_m;    ///< none: the domain's
     double tolerance = 1e-3;             ///< of the truth: relative RMSE that its own estimate is to reach
     int most_subsamples = 32;            ///< of the truth: per pixel and axis, where its refinement ends
+    SplatOptions splat;                  ///< of the method splat
+    PhotonOptions photons;               ///< of the method photons
 };
 
 /// Beams of the light that the surface reflects, and the air that they pass.
@@ -94,6 +102,13 @@ struct BeamsSection {
     std::optional<glm::ivec3> volume_cells;  ///< none: no fields in the water
     std::optional<double> refine_below;      ///< share of make_refined_beams(), for pictures; none: one grid
     std::optional<ReflectedSection> reflected;
+};
+
+/// Something in or above the water.
+struct ObjectSection {
+    Object object;
+    std::optional<std::string> file;  ///< of a mesh, which read_data() puts into `object`
+    double file_scale = 1;            ///< metres per unit of that file
 };
 
 /// What sees the scene and the light that the water scatters.
@@ -152,6 +167,8 @@ struct Scenario {
     WavesSection waves;
     Sun light;
     SunSection sun;
+    std::optional<Lamp> lamp;  ///< in place of the sun
+    std::vector<ObjectSection> objects;
     AccuracySection accuracy;
     std::optional<FloorSection> floor;
     std::optional<BeamsSection> beams;

@@ -1,31 +1,9 @@
 // A ray of sight at the water surface, and the sun seen in it. Directions of travel and normals are unit vectors; slopes
 // are those of the surface; n is the index of the side that the ray goes to over that which it comes from. Include after
-// caustics/kernels/optics.glsl.
-
-struct SightRefraction {
-    real3 direction;     // of travel beyond the surface; along it where all is reflected
-    real transmittance;  // Fresnel, or 1 without it; 0 where all is reflected
-};
-
-// Snell: t = d/n + (cos_i/n - cos_t) N; the normal N is on the side from which d comes.
-KERNEL SightRefraction refract_sight(real3 d, real3 normal, real n, real fresnel) {
-    SightRefraction r;
-    real inv_n = real(1) / n;
-    real cos_i = max(real(0), -dot(d, normal));
-    real cos2_t = real(1) - (real(1) - cos_i * cos_i) * inv_n * inv_n;
-    real cos_t = sqrt(max(real(0), cos2_t));
-    r.direction = inv_n * d + (cos_i * inv_n - cos_t) * normal;
-    real t = fresnel_transmittance(cos_i, cos_t, n);
-    r.transmittance = cos2_t > real(0) ? t + (real(1) - fresnel) * (real(1) - t) : real(0);
-    return r;
-}
-
-KERNEL real3 reflect_sight(real3 d, real3 normal) {
-    return d - real(2) * dot(d, normal) * normal;
-}
+// caustics/kernels/interface.glsl.
 
 // What a turn of the ray and of the normal, small and across them, turns the refracted direction by; the derivative of
-// Snell's formula above. Cosines of refraction below a hundredth count as that.
+// Snell's formula (refract_ray). Cosines of refraction below a hundredth count as that.
 KERNEL real3 turn_refracted(real3 d, real3 normal, real n, real3 turn_d, real3 turn_normal) {
     real inv_n = real(1) / n;
     real cos_i = max(real(0), -dot(d, normal));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "caustics/kernels/optics.hpp"
+#include "caustics/kernels/interface.hpp"
 
 namespace waterlight::f32 {
 #include "render/kernels/view_ray.glsl"

@@ -2,6 +2,7 @@
 #include "sim/kernels/real.glsl"
 
 #include "caustics/kernels/optics.glsl"
+#include "caustics/kernels/interface.glsl"
 #include "caustics/kernels/phase_table.glsl"
 #include "caustics/kernels/surface_lookup.glsl"
 #include "render/kernels/ambient.glsl"

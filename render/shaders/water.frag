@@ -54,12 +54,12 @@ PerPixel turned_normal(Point q, vec3 normal) {
 vec3 from_above(Point q, vec3 d) {
     vec3 normal = normal_of(visible_slope(-d, q.slope, q.variance, 1));
     PerPixel turned = turned_normal(q, normal);
-    SightRefraction refracted = refract_sight(d, normal, s.index, s.fresnel);
+    RayRefraction refracted = refract_ray(d, normal, s.index, s.fresnel);
     turned = PerPixel(turn_refracted(d, normal, s.index, q.turn.right, turned.right),
                       turn_refracted(d, normal, s.index, q.turn.up, turned.up));
     vec3 below = seen_in_water(q.place, refracted.direction, q.width, q.moved, turned);
     if (overlay == OVERLAY_FLOOR || overlay == OVERLAY_ERROR) return below;
-    vec3 sky = sky_above(reflect_sight(d, normal));
+    vec3 sky = sky_above(reflect_ray(d, normal));
     SunSeen sun = sun_in_reflection(-d, to_sun(), q.slope, q.variance, s.sun_radius);
     float glint = s.sun_irradiance * sun.radiance * (1 - sun_transmittance(sun.cos_h));
     return refracted.transmittance / (s.index * s.index) * below + (1 - refracted.transmittance) * sky + glint;
@@ -68,8 +68,8 @@ vec3 from_above(Point q, vec3 d) {
 vec3 from_below(Point q, vec3 d) {
     vec3 upwards = normal_of(visible_slope(-d, q.slope, q.variance, -1)), normal = -upwards;
     PerPixel turned = turned_normal(q, upwards);
-    SightRefraction refracted = refract_sight(d, normal, 1 / s.index, s.fresnel);
-    vec3 mirrored = reflect_sight(d, normal);
+    RayRefraction refracted = refract_ray(d, normal, 1 / s.index, s.fresnel);
+    vec3 mirrored = reflect_ray(d, normal);
     mirrored.z = min(mirrored.z, -0.003);
     turned = PerPixel(turn_reflected(d, upwards, q.turn.right, turned.right),
                       turn_reflected(d, upwards, q.turn.up, turned.up));

@@ -28,12 +28,12 @@ TEST(PictureRays, ANormalTurnsAsItsSlopeChanges) {
 TEST(PictureRays, RefractedAndReflectedRaysTurnAsTheirDifferencesSay) {
     for (const double n : {1.0, 4.0 / 3.0, 1.5}) {
         const auto refracted = [n](double u) {
-            return f64::refract_sight(ray(u), f64::normal_of(slope(u)), n, 1).direction;
+            return f64::refract_ray(ray(u), f64::normal_of(slope(u)), n, 1).direction;
         };
         expect_same(f64::turn_refracted(ray(0), f64::normal_of(slope(0)), n, turn_d(), turn_normal()),
                     (refracted(step) - refracted(-step)) / (2 * step));
     }
-    const auto reflected = [](double u) { return f64::reflect_sight(ray(u), f64::normal_of(slope(u))); };
+    const auto reflected = [](double u) { return f64::reflect_ray(ray(u), f64::normal_of(slope(u))); };
     expect_same(f64::turn_reflected(ray(0), f64::normal_of(slope(0)), turn_d(), turn_normal()),
                 (reflected(step) - reflected(-step)) / (2 * step));
 }
