@@ -35,22 +35,22 @@ std::shared_ptr<const ObjectSet> cups_and_ring() {
     const Cup cup{.bottom_radius_m = 0.28, .top_radius_m = 0.36, .height_m = 0.8, .wall_m = 0.03, .base_m = 0.05};
     std::vector<Object> all;
     int number = 0;
-    for (const glm::dvec2 at : {glm::dvec2{1.2, 2.4}, {2.3, 3.0}, {3.2, 1.9}, {1.9, 1.3}})
+    for (const glm::dvec2 at : {glm::dvec2{3.0, 3.2}, {4.1, 3.8}, {5.0, 2.7}, {3.7, 2.1}})
         all.push_back(on_plane(fmt::format("cup {}", ++number), cup, glass, at, 0));
-    all.push_back(on_plane("cup upside down", cup, glass, {3.9, 2.9}, cup.height_m));
+    all.push_back(on_plane("cup upside down", cup, glass, {5.7, 3.7}, cup.height_m));
     all.back().rotation_deg = {180, 0, 0};
     all.push_back(on_plane("ring", Ring{.inner_radius_m = 0.42, .outer_radius_m = 0.46, .height_m = 0.18}, gold,
-                           {4.1, 1.2}, 0.09));
+                           {5.8, 1.9}, 0.09));
     return std::make_shared<const ObjectSet>(std::move(all));
 }
 
 /// The plane and its two lights.
 struct Table {
-    Surface surface{make_grid(16, 12, 5.4, 4.2), {Side::absorbing, Side::absorbing}};
+    Surface surface{make_grid(18, 15, 9, 7.5), {Side::absorbing, Side::absorbing}};
     PhotonSettings sun, spot;
 
     explicit Table(int pixels) {
-        sun.floor.plan = cover(surface.grid, pixels, pixels * 7 / 9);
+        sun.floor.plan = cover(surface.grid, pixels, pixels * 5 / 6);
         sun.floor.depth_m = -plane_m;
         sun.floor.sun = {38, 115, 500};
         sun.floor.optics.refractive_index = 1;
@@ -58,7 +58,7 @@ struct Table {
         sun.options.start = PhotonOptions::Start::light;
         sun.options.bounces = interfaces;
         spot = sun;
-        spot.lamp = Lamp{Lamp::Type::spot, {5.6, 4.6, 3.2}, 9000, {2.6, 2.1, 0}, 38};
+        spot.lamp = Lamp{Lamp::Type::spot, {7.4, 5.4, 3.2}, 9000, {4.4, 2.9, 0}, 40};
     }
 };
 
@@ -111,11 +111,11 @@ ColourImage picture_of(const Table& table, const Field<float>& floor, glm::ivec2
     look.floor = {.pattern = Finish::Pattern::plain, .albedo = {0.62, 0.55, 0.47}};
     look.colour_per_m = {0, 0, 0};
     look.sky.irradiance_w_m2 = 90;
-    look.exposure_w_m2_sr = 260;
+    look.exposure_w_m2_sr = 360;
     Camera camera;
-    camera.position_m = {2.5, -2.2, 3.0};
-    camera.target_m = {2.75, 1.95, 0.15};
-    camera.fov_deg = 42;
+    camera.position_m = {4.4, -1.3, 3.3};
+    camera.target_m = {4.45, 2.45, 0.1};
+    camera.fov_deg = 36;
     camera.size = size;
     return developed(trace_picture(scene, look, camera, {.samples = 9, .bounces = 16}));
 }
@@ -135,7 +135,7 @@ ColourImage beside(const std::vector<ColourImage>& all) {
 
 void report_cups(const Options& options) {
     const bool quick = options.common.quick;
-    const Table table(quick ? 128 : 512);
+    const Table table(quick ? 144 : 720);
     const int long_map = quick ? 256 : 2048, half_passes = quick ? 2 : 8;
     const LitMap half = lit(table, long_map, half_passes, interfaces, 2),
                  other = lit(table, long_map, half_passes, interfaces, 3);
@@ -144,7 +144,7 @@ void report_cups(const Options& options) {
 ## Glass: five cups and a ring
 
 Five cups of glass, n = 1.5, one of them upside down, and a mirror ring on a plane without water, under the sun and a spot.
-Only photons follow light through walls, so they alone are compared: with themselves. "Three bounces" means three walls of
+Photons alone follow every way through them, so they are compared with themselves. "Three bounces" means three walls of
 glass here, and each wall is two interfaces: light may meet {} of them, the last of which is the plane's own. (The number
 that a ray tracer counts, generations of rays, would end light within the second wall of a cup.) Map of {} x {} pixels, no
 blur. The long run is of {} passes of {} squared for each light, {:.0f} million photons in {:.0f} s; its two halves say that
@@ -157,7 +157,7 @@ its own error is {}.
     std::fflush(stdout);
     const Field<double> exact = accuracy::box_means(both, 1, 1);
     std::vector<ColourImage> pictures;
-    const glm::ivec2 size = quick ? glm::ivec2{120, 90} : glm::ivec2{560, 420};
+    const glm::ivec2 size = quick ? glm::ivec2{120, 90} : glm::ivec2{560, 400};
     accuracy::print_heads({"photon map", "s", "RMSE", "RMSE in 4 x 4", "light - 1", "lost"});
     const auto sum = [](const Field<double>& field) {
         double all = 0;
@@ -193,7 +193,7 @@ its own error is {}.
     write_file(options.pictures + "/cups.png", encode_png(beside(pictures)));
     fmt::print(
         "\nThe same ray traced, of 512, 1024 and 2048 squared and of the long run:\n\n"
-        "![Five cups and a ring by photon maps of 512, 1024 and 2048 squared and by a long run](cups.png)\n");
+        "![Five cups and a ring by photon maps of 512, 1024 and 2048 squared and by a long run](methods/cups.png)\n");
 }
 
 }  // namespace waterlight::methods

@@ -154,8 +154,7 @@ void plot(const Options& options, const std::vector<Run>& runs, int width) {
     if (options.pictures.empty()) return;
     FILE* out = popen("gnuplot", "w");
     if (out == nullptr) return;
-    fmt::print(out, "set terminal pngcairo size 900,600 font 'sans,11'\nset output '{}/methods.png'\n",
-               options.pictures);
+    fmt::print(out, "set terminal pngcairo size 900,600 font 'sans,11'\nset output '{}/pool.png'\n", options.pictures);
     fmt::print(out,
                "set logscale xy\nset grid\nset key outside right\nset xlabel 'ms'\nset ylabel 'relative RMSE of pixel "
                "averages'\nset title 'A pool, {} x {} pixels'\nplot ",
@@ -198,7 +197,7 @@ what Embree and stacks take. `light - 1` as above.
         print_winners(runs, &Run::in_boxes, {.05, .02, .01, .005, .002});
         if (width == finest / 2) plot(options, runs, width);
         if (width == finest / 2 && !options.pictures.empty())
-            fmt::print("\n![Error against time, every method](methods.png)\n");
+            fmt::print("\n![Error against time, every method](methods/pool.png)\n");
     }
 }
 
