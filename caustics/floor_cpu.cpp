@@ -118,7 +118,8 @@ class FloorCpu final : public FloorMapper {
                 reader.read(j, scratch.surface, scratch.samples);
                 land_row(frame, scratch, x, y, power);
                 std::tie(landed_.lowest[j], landed_.highest[j]) = range_of(y, frame.columns.count);
-                sum_row({scratch.samples.counted.data(), scratch.incident.data(), scratch.transmitted.data(), power}, frame.columns.count, rows[j]);
+                sum_row({scratch.samples.counted.data(), scratch.incident.data(), scratch.transmitted.data(), power},
+                        frame.columns.count, rows[j]);
                 if (!frame.adaptive) share_boxes(frame, j, scratch, rows[j]);
             }
         }

@@ -33,8 +33,7 @@ void QuadCutter::cut(glm::ivec2 base, double counted, std::vector<CutPiece>& pie
     const double per_pixel = caster_.irradiance() / frame_.pixel_area_m2;
     for (int k = 1; k + 1 < water.count; ++k) {
         const TrianglePower power = triangle_power(landed[0], landed[k], landed[k + 1], caster_.direction());
-        pieces.push_back(
-            {{landed[0].pixel, landed[k].pixel, landed[k + 1].pixel}, per_pixel * power.arrived, counted});
+        pieces.push_back({{landed[0].pixel, landed[k].pixel, landed[k + 1].pixel}, per_pixel * power.arrived, counted});
         row.incident += counted * per_pixel * power.incident;
         row.reflected += counted * per_pixel * (power.incident - power.entered);
         row.extinguished += counted * per_pixel * (power.entered - power.arrived);

@@ -16,8 +16,8 @@ struct CutPiece {
     double counted = 1;               ///< the part that the ledger counts
 };
 
-/// Quad (i, j) of the frame has corners (i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1). Corner (i, j) lands at base pixel
-/// (i, j) + displacement.
+/// Quad (i, j) of the frame has corners (i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1). Corner (i, j) lands at base
+/// pixel (i, j) + displacement.
 struct LandedQuads {
     LandedSamples corners;  ///< `power` is the quads'; `lowest` and `highest` are of rows of quads, as bases see them
     std::vector<std::vector<CutPiece>> pieces;  ///< of each row of quads; their quads have no power

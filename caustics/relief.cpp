@@ -206,7 +206,8 @@ class ReliefLight {
     }
 
     /// Sends the light of a triangle to the pixels; `own` light is of the domain.
-    void carry(const LandedCorner& a, const LandedCorner& b, const LandedCorner& c, bool own, CellShares& shares, Part& part) const {
+    void carry(const LandedCorner& a, const LandedCorner& b, const LandedCorner& c, bool own, CellShares& shares,
+               Part& part) const {
         const TrianglePower of_one = triangle_power(a, b, c, sun_);
         const double incident = of_one.incident * irradiance_, entered = of_one.entered * irradiance_,
                      arrived = of_one.arrived * irradiance_;
