@@ -342,6 +342,39 @@ TEST(PhotonObjects, BothStartsAgreeAroundWhatLiesUnderWater) {
     EXPECT_NEAR(from_surface.map.ledger.floor_w, from_light.map.ledger.floor_w, 2e-3 * from_light.map.ledger.floor_w);
 }
 
+TEST(PhotonObjects, GoOnAcrossPeriodicSides) {
+    // The same ball in the middle, on a corner, and a period away: the same light, elsewhere.
+    const Grid grid = make_grid(16, 16, 1, 1);
+    const Surface surface(grid, {});
+    for (const Material::Type type : {Material::Type::diffuse, Material::Type::glass}) {
+        std::vector<PhotonResult> found;
+        for (const glm::dvec2 at : {glm::dvec2{0.5, 0.5}, {0, 0}, {-1.5, 0.5}})
+            for (const double z : {-0.6, 0.5}) {
+                PhotonSettings s = photons_over(grid, 32, 32, 40);
+                s.options.map = 256;
+                Object ball = glass_ball(0.2, {at, z});
+                ball.material.type = type;
+                s.floor.objects = objects({ball});
+                found.push_back(photon_map(s, surface));
+            }
+        for (std::size_t k = 2; k < found.size(); ++k) {
+            const FloorMap &middle = found[k % 2].map, &moved = found[k].map;
+            EXPECT_LT(moved.ledger.closure(), 1e-12);
+            EXPECT_NEAR(moved.ledger.objects_w, middle.ledger.objects_w, 0.01 * middle.ledger.objects_w);
+            EXPECT_NEAR(moved.ledger.floor_w, middle.ledger.floor_w, 0.005 * middle.ledger.floor_w);
+            const int by = k < 4 ? 16 : 0;
+            double difference = 0, square = 0;
+            for (int j = 0; j < 32; ++j)
+                for (int i = 0; i < 32; ++i) {
+                    const double a = middle.irradiance(i, j), b = moved.irradiance((i + by) % 32, (j + by) % 32);
+                    difference += (a - b) * (a - b);
+                    square += a * a;
+                }
+            EXPECT_LT(std::sqrt(difference / square), 0.08) << int(type) << ' ' << k << " noise";
+        }
+    }
+}
+
 TEST(PhotonObjects, WhatMeetsTooManyInterfacesIsLostAndCounted) {
     const Grid grid = make_grid(64, 64, 1, 1);
     const Surface surface = rippled(grid, {});
