@@ -253,6 +253,31 @@ TEST(PhotonWaves, OnGroundThatIsNotFlatTheyAreAsExactTrianglesAre) {
     }
 }
 
+TEST(PhotonWaves, OnASlopeThatEndsAtOpenSidesTheyComeInAboveTheGroundOnly) {
+    const Grid grid = make_grid(64, 64, 2, 2);
+    const Surface surface(grid, {Side::absorbing, Side::wall});
+    Field<float> bed(64, 64);
+    for (int j = 0; j < 64; ++j)
+        for (int i = 0; i < 64; ++i) bed(i, j) = static_cast<float>(-1 + 0.3 * grid.x_m(i));
+    for (const double azimuth : {0.0, 180.0}) {
+        ReliefSettings relief{.floor = {}, .bed_m = bed.clone()};
+        relief.floor.plan = cover(grid, 64, 64);
+        relief.floor.sun = {40, azimuth, 1000};
+        PhotonSettings s;
+        s.floor = relief.floor;
+        s.bed_m = std::make_shared<const Field<float>>(bed.clone());
+        FloorMap expected;
+        make_relief_floor(std::move(relief))->compute(surface, expected);
+        for (const Start start : both_starts) {
+            s.options = {.start = start, .map = 512};
+            const FloorMap map = photon_map(s, surface).map;
+            EXPECT_NEAR(map.ledger.floor_w, expected.ledger.floor_w, 2e-3 * expected.ledger.floor_w);
+            EXPECT_LT(relative_difference(map.irradiance, expected.irradiance), 0.06) << azimuth << int(start);
+            EXPECT_LT(map.ledger.closure(), 1e-12);
+        }
+    }
+}
+
 TEST(PhotonWaves, DryGroundIsLitByTheSunAlone) {
     const Grid grid = make_grid(32, 32, 2, 2);
     const Surface surface(grid, {Side::wall, Side::wall});
