@@ -306,7 +306,7 @@ class Run {
             if (shallow_ && watched) shallow_->add_totals();
             recorder_.add_frame(time_s);
             if (floor_) {
-                recorder_.add_floor(map_, floor_->ledger(map_), floor_->error_estimate());
+                recorder_.add_floor(map_, floor_->ledger(map_), floor_->record(map_));
                 if (last || is_checked) recorder_.add_statistics(map_);
             }
             if (beams_) {
@@ -358,8 +358,8 @@ class Run {
         if (walls_) record.walls = walls_->record();
         if (accuracy_) {
             record.accuracy = accuracy_->record();
-            if (record.floor && std::isfinite(record.floor->truth_error))
-                record.accuracy->floor_rmse = record.floor->truth_error;
+            if (record.floor && record.floor->method.method == FloorMethod::truth)
+                record.accuracy->floor_rmse = record.floor->method.error_estimate;
         }
         if (waves_.airy && !waves_.sea.empty()) record.sea = SeaRecord{waves_.airy->sea_coverage(), waves_.sea};
         return record;

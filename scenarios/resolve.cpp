@@ -111,6 +111,7 @@ FloorSettings floor_settings(const Scenario& scenario) {
     settings.depth_m = scenario.domain.depth_m;
     settings.sun = scenario.light;
     settings.optics = scenario.optics;
+    settings.objects = scenario.object_set;
     return settings;
 }
 
@@ -125,6 +126,7 @@ BeamSettings beam_settings(const Scenario& scenario) {
     settings.depth_m = scenario.domain.depth_m;
     settings.sun = scenario.light;
     settings.optics = scenario.optics;
+    settings.objects = scenario.object_set;
     return settings;
 }
 
