@@ -9,6 +9,7 @@
 #include "caustics/floor_frame.hpp"
 #include "caustics/kernels/optics.hpp"
 #include "caustics/kernels/surface_lookup.hpp"
+#include "caustics/landed_corner.hpp"
 #include "sim/error.hpp"
 
 namespace waterlight {
@@ -59,13 +60,6 @@ class Between {
     Boundary boundary_;
 };
 
-/// A corner of the mesh: where it lies, where its light lands (pixels), what of it enters and arrives.
-struct Corner {
-    glm::dvec3 start_m{0, 0, 0};
-    glm::dvec2 pixel{0, 0};
-    double transmittance = 0, remaining = 0;
-};
-
 /// The mesh: columns [first, end) and rows of pixels' width, pixel (0, 0) being the domain's first.
 struct Mesh {
     glm::ivec2 first{0, 0}, end{0, 0};
@@ -108,11 +102,11 @@ class ReliefLight {
     }
 
     Part carry_rows(const Mesh& mesh, int begin, int end) const {
-        std::vector<std::vector<Corner>> rows;
+        std::vector<std::vector<LandedCorner>> rows;
         double lowest = 1e300, highest = -1e300;
         for (int j = begin; j <= end; ++j) {
             rows.push_back(corner_row(mesh, j));
-            for (const Corner& c : rows.back()) {
+            for (const LandedCorner& c : rows.back()) {
                 lowest = std::min(lowest, c.pixel.y);
                 highest = std::max(highest, c.pixel.y);
             }
@@ -192,8 +186,8 @@ class ReliefLight {
         return d1;
     }
 
-    std::vector<Corner> corner_row(const Mesh& mesh, int j) const {
-        std::vector<Corner> row;
+    std::vector<LandedCorner> corner_row(const Mesh& mesh, int j) const {
+        std::vector<LandedCorner> row;
         row.reserve(static_cast<std::size_t>(mesh.end.x - mesh.first.x) + 1);
         for (int i = mesh.first.x; i <= mesh.end.x; ++i) {
             const glm::dvec2 at = s_.floor.plan.position_m({i, j});
@@ -211,12 +205,11 @@ class ReliefLight {
         return row;
     }
 
-    /// Sends the light of a triangle to the pixels; `own` light is of the domain. Its power is that through its plane.
-    void carry(const Corner& a, const Corner& b, const Corner& c, bool own, CellShares& shares, Part& part) const {
-        const glm::dvec3 twice_area = glm::cross(b.start_m - a.start_m, c.start_m - a.start_m);
-        const double incident = std::max(0.0, -0.5 * glm::dot(sun_, twice_area)) * irradiance_;
-        const double entered = incident * (a.transmittance + b.transmittance + c.transmittance) / 3;
-        const double arrived = entered * (a.remaining + b.remaining + c.remaining) / 3;
+    /// Sends the light of a triangle to the pixels; `own` light is of the domain.
+    void carry(const LandedCorner& a, const LandedCorner& b, const LandedCorner& c, bool own, CellShares& shares, Part& part) const {
+        const TrianglePower of_one = triangle_power(a, b, c, sun_);
+        const double incident = of_one.incident * irradiance_, entered = of_one.entered * irradiance_,
+                     arrived = of_one.arrived * irradiance_;
         double on_map = 0;
         shares.share(std::array{a.pixel, b.pixel, c.pixel}, [&](int i, int j, double share) {
             const int width = s_.floor.plan.width, row = j - part.first_row;
