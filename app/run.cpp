@@ -69,7 +69,7 @@ class Run {
         if (scenario.walls) walls_.emplace(scenario);
         if (scenario.accuracy.estimate) accuracy_.emplace(scenario, waves_, backend_);
         if (scenario.output.image) picture_.emplace(scenario, waves_, backend_, options.device);
-        if (picture_) recorder_.record().picture_device = picture_->context().device().name;
+        if (picture_) recorder_.record().picture_device = picture_->device();
     }
 
     bool go() {
@@ -402,7 +402,7 @@ class Run {
     void reject_validation_messages() const {
         std::vector<std::string> messages;
         if (backend_.context) messages = backend_.context->validation_messages();
-        if (messages.empty() && picture_) messages = picture_->context().validation_messages();
+        if (messages.empty() && picture_) messages = picture_->validation_messages();
         if (!messages.empty())
             throw WorldError(fmt::format("the Vulkan validation layer has {} messages; the first: {}", messages.size(),
                                          messages.front()));

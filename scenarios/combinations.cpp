@@ -128,6 +128,10 @@ void check_floor(const Scenario& s) {
     require_method(s, "samples_per_pixel", {two_pass, quads});
     require_method(s, "tolerance", {truth});
     require_method(s, "most_subsamples", {truth});
+    if (floor.photons.tolerance > 0 && floor.photons.passes < 2)
+        s.origin.reject("caustics.floor.photons.passes",
+                        fmt::format("{} beside tolerance = {}", floor.photons.passes, floor.photons.tolerance),
+                        "2 or more, between which an error is estimated");
     if (floor.window && floor.window->samples % 2 == 0)
         s.origin.reject("caustics.floor.window.samples", fmt::format("{}", floor.window->samples),
                         "an odd integer >= 1");

@@ -95,15 +95,21 @@ Visitor::Inside append_mesh(std::vector<ObjectSection>& objects) {
 enum class LightType { sun, point, spot };
 
 void describe_splat(Visitor& v, SplatOptions& s) {
-    v.value({"grid", "", "Vertices along the longer axis of the light's image.", {.low = 2, .high = 16384}}, &s.grid);
+    v.value({"grid", "", "Vertices along the longer axis of the domain.", {.low = 2, .high = 16384}}, &s.grid);
     v.value({"iterations", "", "Of the landing in the light's image.", {.low = 1, .high = 1000}}, &s.iterations);
+    v.value(
+        {"landing", "",
+         "What a step of the landing goes by: height, to where the ray is as high as the receiver seen; distance, as "
+         "far as it, as in Shah et al., which diverges under a low sun."},
+        choice(s.landing, {"height", "distance"}));
     v.value({"size", "",
              "Of the Gaussian that a vertex lights: jacobian, that of its own footprint; fixed, radius_pixels for all, "
              "as in Shah et al."},
             choice(s.size, {"jacobian", "fixed"}));
     v.value({"radius_pixels", "", "Standard deviation of a fixed splat.", positive}, &s.radius_pixels);
-    v.value({"bounces", "", "Interfaces of objects that a vertex's light may meet.", {.low = 1, .high = 1000}},
-            &s.bounces);
+    v.value(
+        {"bounces", "", "Interfaces that a vertex's light may meet where there are objects.", {.low = 1, .high = 1000}},
+        &s.bounces);
 }
 
 void describe_photons(Visitor& v, PhotonOptions& s) {
