@@ -88,7 +88,8 @@ PhotonFollower::PhotonFollower(const WaterScene& scene, const PhotonOptions& opt
 bool PhotonFollower::leaves(const Traveller& way) const {
     const Ray& ray = way.ray;
     if (way.in_water || way.inside >= 0 || ray.from_m.z < highest_ground_m_) return false;
-    if (ray.direction.z <= steepest_ * glm::length(glm::dvec2(ray.direction))) return false;
+    const bool above = domain_.climb_m == glm::dvec2{0, 0} && ray.from_m.z > scene_.highest_water_m();
+    if (ray.direction.z <= (above ? 0 : steepest_ * glm::length(glm::dvec2(ray.direction)))) return false;
     const glm::dvec3 low = scene_.objects().low_m(), high = scene_.objects().high_m();
     if (low.z > high.z || ray.from_m.z >= high.z) return true;
     return !domain_.periodic(0) && !domain_.periodic(1) && !meets_box(ray, low, high);
@@ -117,7 +118,8 @@ void PhotonFollower::follow(const Photon& photon, PhotonRandom& random, PhotonTa
     path.way.ray.from_m = domain_.brought_in(path.way.ray.from_m, path.way.in_water);
     SceneHit hit = photon.first ? *photon.first : next_hit(path.way);
     while (hit.what == What::side && !path.way.in_water && path.round < most_rounds) {
-        meet_side(hit, path, tally);
+        go_round(hit, path);
+        if (leaves(path.way)) return;
         hit = next_hit(path.way);
     }
     if (!sets_out(hit, path, tally)) return;
@@ -131,12 +133,14 @@ void PhotonFollower::follow(const Photon& photon, PhotonRandom& random, PhotonTa
     }
 }
 
-/// Whose account it is. False where it is nobody's: it passes by, or meets what is beyond a wall.
+/// Whose account it is. False where it is nobody's: it passes by, meets what is beyond a wall, or would come in through
+/// one.
 bool PhotonFollower::sets_out(const SceneHit& hit, PhotonPath& path, PhotonTally& tally) const {
     if (hit.what == What::nothing) return false;
     const glm::dvec2 at(path.way.ray.at(hit.distance_m));
     path.own = hit.what == What::object || hit.what == What::side || domain_.holds(at);
     if (!path.own && domain_.is_beyond_wall(at)) return false;
+    if (has_slipped(hit, path.way)) return false;
     count(tally.ledger.incident_w, path.power_w, path.own);
     return true;
 }
@@ -190,13 +194,26 @@ bool PhotonFollower::meet_side(const SceneHit& hit, PhotonPath& path, PhotonTall
         count(tally.ledger.outside_w, path.power_w, path.own);
         return false;
     }
-    if (path.round++ >= most_rounds) {
-        count(tally.ledger.lost_w, path.power_w, path.own);
-        return false;
-    }
+    const bool lost = path.round >= most_rounds;
+    go_round(hit, path);
+    if (!lost && !leaves(path.way)) return true;
+    count(lost ? tally.ledger.lost_w : tally.ledger.reflected_w, path.power_w, path.own);
+    return false;
+}
+
+void PhotonFollower::go_round(const SceneHit& hit, PhotonPath& path) const {
+    const int axis = hit.side.x != 0 ? 0 : 1;
+    ++path.round;
     path.way = scene_.wrapped(path.way, hit);
     if (!path.way.in_water) path.way.ray.from_m.z -= hit.side[axis] * domain_.climb_m[axis];
-    return true;
+}
+
+/// Whether light from the air is on ground with water above it: it came in beside the water, where that ends at a wall
+/// or, with a step, at still water.
+bool PhotonFollower::has_slipped(const SceneHit& hit, const Traveller& way) const {
+    constexpr double film_m = 1e-5;  // as good as dry
+    if (hit.what != What::floor || way.in_water) return false;
+    return scene_.is_under_water(way.ray.at(hit.distance_m) + glm::dvec3{0, 0, film_m});
 }
 
 /// Whether it goes on: from clear glass, and what a mirror sends back.

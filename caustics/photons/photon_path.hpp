@@ -78,6 +78,8 @@ class PhotonFollower {
     bool step(const SceneHit& hit, PhotonPath& path, PhotonRandom& random, PhotonTally& tally) const;
     bool meet_object(const SceneHit& hit, PhotonPath& path, PhotonTally& tally) const;
     bool meet_side(const SceneHit& hit, PhotonPath& path, PhotonTally& tally) const;
+    void go_round(const SceneHit& hit, PhotonPath& path) const;
+    bool has_slipped(const SceneHit& hit, const Traveller& way) const;
     bool divide(const SceneHit& hit, PhotonPath& path, PhotonRandom& random, PhotonTally& tally) const;
     void land(const SceneHit& hit, const PhotonPath& path, PhotonTally& tally) const;
     void fade(const SceneHit& hit, PhotonPath& path, PhotonTally& tally) const;

@@ -8,45 +8,15 @@
 #include <optional>
 #include <vector>
 
-#include "caustics/floor_frame.hpp"
 #include "caustics/photons/blur.hpp"
 #include "caustics/photons/open_water.hpp"
 #include "caustics/photons/photon_pass.hpp"
+#include "caustics/photons/photon_settings.hpp"
 #include "sim/error.hpp"
 
 namespace waterlight {
 
 namespace {
-
-void require(bool good, std::string_view what, double found, std::string_view allowed) {
-    if (!good) throw InputError(fmt::format("photons: {} is {}; allowed: {}", what, found, allowed));
-}
-
-void validate(const Lamp& lamp) {
-    require(lamp.intensity_w_sr >= 0 && lamp.intensity_w_sr <= 1e30, "lamp's intensity in W/sr", lamp.intensity_w_sr,
-            ">= 0, at most 1e30");
-    if (lamp.type != Lamp::Type::spot) return;
-    require(lamp.half_angle_deg > 0 && lamp.half_angle_deg < 90, "lamp's half-angle in degrees", lamp.half_angle_deg,
-            "between 0 and 90");
-    const double length = glm::distance(lamp.at_m, lamp.towards_m);
-    require(length > 0, "distance in m from the lamp to what it points at", length, "> 0");
-}
-
-void validate(const PhotonSettings& settings) {
-    const PhotonOptions& o = settings.options;
-    validate(settings.floor);
-    require(o.map >= 1 && o.map <= 65536, "photons along an axis", o.map, "1 to 65536");
-    require(o.passes >= 1, "number of passes", o.passes, ">= 1");
-    require(o.bounces >= 1, "number of bounces", o.bounces, ">= 1");
-    require(o.tolerance >= 0, "tolerance", o.tolerance, ">= 0");
-    require(o.tolerance == 0 || o.passes >= 2, "number of passes", o.passes, ">= 2 where there is a tolerance");
-    require(o.blur_pixels >= 0 && o.blur_pixels <= 4096, "blur in pixels", o.blur_pixels, "0 to 4096");
-    require(settings.floor.wavelength_nm > 0, "wavelength in nm", settings.floor.wavelength_nm, "> 0");
-    if (!settings.lamp) return;
-    validate(*settings.lamp);
-    if (o.start == PhotonOptions::Start::surface)
-        throw InputError("photons: their start is surface and the light is a lamp; allowed: light, automatic");
-}
 
 /// Deposits on the pixels of the map.
 class MapReceiver {
@@ -115,7 +85,7 @@ class PhotonFloorCpu final : public PhotonFloor {
     std::string_view backend() const override { return "cpu"; }
     double error_estimate() const override { return error_; }
     int passes() const override { return passes_; }
-    std::int64_t photons() const override { return passes_ * photons_of_pass(); }
+    std::int64_t photons() const override { return passes_ * photons_of_pass(s_.options); }
 
     void compute(const Surface& surface, FloorMap& map) override {
         PhotonSums sums;
@@ -142,8 +112,6 @@ class PhotonFloorCpu final : public PhotonFloor {
     }
 
   private:
-    std::int64_t photons_of_pass() const { return static_cast<std::int64_t>(s_.options.map) * s_.options.map; }
-
     /// Until `tolerance` is met, at most `passes`.
     void add(const Surface& surface, int passes, double tolerance, PhotonSums& sums) const {
         const FloorPlan& plan = s_.floor.plan;
@@ -153,7 +121,7 @@ class PhotonFloorCpu final : public PhotonFloor {
             sums.squares_w2 = Field<double>(plan.width, plan.height);
         }
         check(sums);
-        if (!is_lit()) {
+        if (!is_lit(s_)) {
             sums.passes += passes;
             return;
         }
@@ -164,13 +132,11 @@ class PhotonFloorCpu final : public PhotonFloor {
         Field<double> pass(plan.width, plan.height);
         for (int k = 0; k < passes; ++k) {
             pass.fill(0);
-            run_pass(*tracer, photons_of_pass(), sums.passes, receiver, pass, sums.ledger);
+            run_pass(*tracer, photons_of_pass(s_.options), sums.passes, receiver, pass, sums.ledger);
             take(pass, smoothing, sums);
             if (tolerance > 0 && sums.passes >= 2 && error(blurred(sums.power_w, smoothing), sums) <= tolerance) return;
         }
     }
-
-    bool is_lit() const { return s_.lamp ? s_.lamp->intensity_w_sr > 0 : s_.floor.sun.elevation_deg > 0; }
 
     std::unique_ptr<PhotonTracer> make_tracer(const Surface& surface, std::optional<WaterScene>& scene) const {
         if (is_open_water(s_, surface)) return make_open_water_tracer(s_, surface);

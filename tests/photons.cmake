@@ -1,0 +1,3 @@
+waterlight_test(photons_test
+    SOURCES laws/photons_waves.cpp
+    LIBRARIES waterlight::caustics)
