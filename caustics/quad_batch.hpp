@@ -1,4 +1,4 @@
-// Quads that overlap no more than three by three pixels, many at a time: their shares by signed area under edges.
+// Quads that overlap three by three pixels, many at a time: their shares by signed area under edges.
 #pragma once
 
 #include <algorithm>
@@ -20,11 +20,9 @@ struct QuadBatch {
     std::array<int, size> column, row;  ///< of the block's first pixel
     int count = 0;
 
-    /// Shares in the pixels of the block, times the light: of two by two, in order of rows.
-    void share_in_four(float* __restrict shares);
-    /// Of three by three, which lies in four blocks of two by two: those of the block lower left, then to its right,
-    /// above it, and above to the right; each `size` apart.
-    void share_in_nine(float* __restrict shares);
+    /// Shares in the pixels of the block, times the light, as four blocks of two by two: lower left, to its right, above
+    /// it, and above to the right; each `size` apart. Those of a block in order of rows.
+    void share(float* __restrict shares);
 
   private:
     /// The part of each quad that lies left of `right` and below `top`.
@@ -54,27 +52,7 @@ struct QuadBatch {
     std::array<Row, 8> part_;
 };
 
-inline void QuadBatch::share_in_four(float* __restrict shares) {
-    cover(1, 1, part_[0]);
-    cover(2, 1, part_[1]);
-    cover(1, 2, part_[2]);
-    const float* __restrict corner = part_[0].data();
-    const float* __restrict bottom = part_[1].data();
-    const float* __restrict left = part_[2].data();
-    const float* __restrict power = light.data();
-#pragma GCC ivdep
-    for (int i = 0; i < count; ++i) {
-        // Within their bounds, so that rounding makes no share negative.
-        const float b = f32::clamp(bottom[i], 0, 1), l = f32::clamp(left[i], 0, 1);
-        const float c = f32::clamp(corner[i], f32::max(0, b + l - 1), f32::min(b, l));
-        shares[4 * i] = power[i] * c;
-        shares[4 * i + 1] = power[i] * (b - c);
-        shares[4 * i + 2] = power[i] * (l - c);
-        shares[4 * i + 3] = power[i] * (1 - b - l + c);
-    }
-}
-
-inline void QuadBatch::share_in_nine(float* __restrict shares) {
+inline void QuadBatch::share(float* __restrict shares) {
     for (int k = 0; k < 8; ++k) cover(static_cast<float>(1 + k % 3), static_cast<float>(1 + k / 3), part_[k]);
     for (int i = 0; i < count; ++i) {
         std::array<float, 9> cell{};

@@ -99,9 +99,8 @@ class QuadSharer::Band : public ChannelBand {
         const float* power = corners.power.row(j);
         for (int begin = 0; begin < frame_.columns.count; begin += QuadBatch::size) {
             const Span span{begin, std::min(begin + QuadBatch::size, frame_.columns.count)};
-            take_small(quads, power, j, span);
-            s_.four.share_in_four(s_.shares.data());
-            add_block(s_.four, 0, 0, s_.shares.data());
+            share_small(quads, power, j, span);
+            ring_.add(span.end - span.begin, s_.pixel.data(), s_.shares.data());
             for (int i = span.begin; i < span.end; ++i)
                 if (s_.left_over[i - span.begin]) add_left_over(quads.at(i), power[i], i, j);
             add_nine();
@@ -115,61 +114,48 @@ class QuadSharer::Band : public ChannelBand {
     PixelRange band_range() const { return {{0, begin_}, {frame_.map_width, end_}}; }
     PixelRange map_range() const { return {{0, 0}, {frame_.map_width, frame_.map_height}}; }
 
-    /// Sorts the quads of a part of a row: those within two by two pixels are a batch; the others are left over.
-    void take_small(const QuadCorners& quads, const float* __restrict power, int j, Span span) {
+    /// Shares out those quads of a part of a row that are within two by two pixels; the others are left over, and have no
+    /// shares.
+    void share_small(const QuadCorners& quads, const float* __restrict power, int j, Span span) {
         const float* __restrict x_low = quads.x_low + span.begin;
         const float* __restrict y_low = quads.y_low + span.begin;
         const float* __restrict x_high = quads.x_high + span.begin;
         const float* __restrict y_high = quads.y_high + span.begin;
         power += span.begin;
-        QuadBatch& b = s_.four;
-        b.count = span.end - span.begin;
-        const int first_column = frame_.columns.first + span.begin, first_row = frame_.rows.first + j;
         const float bound_x = static_cast<float>(frame_.half_samples() + 4),
                     bound_y = static_cast<float>(frame_.half_channels() + 4);
-        float* __restrict bx0 = b.x[0].data();
-        float* __restrict bx1 = b.x[1].data();
-        float* __restrict bx2 = b.x[2].data();
-        float* __restrict bx3 = b.x[3].data();
-        float* __restrict by0 = b.y[0].data();
-        float* __restrict by1 = b.y[1].data();
-        float* __restrict by2 = b.y[2].data();
-        float* __restrict by3 = b.y[3].data();
-        float* __restrict area = b.area.data();
-        float* __restrict light = b.light.data();
-        int* __restrict column = b.column.data();
-        int* __restrict row = b.row.data();
+        const ChannelRing ring = ring_;
+        const int first_column = frame_.columns.first + span.begin + lead,
+                  row_from_oldest = frame_.rows.first + j - ring.oldest();
+        const int rows = this->rows(), count = span.end - span.begin;
+        int* __restrict pixel = s_.pixel.data();
+        float* __restrict shares = s_.shares.data();
         unsigned char* __restrict left_over = s_.left_over.data();
-        const int count = b.count;
 #pragma GCC ivdep
         for (int i = 0; i < count; ++i) {
-            const float x0 = x_low[i], x1 = 1 + x_low[i + 1], x2 = 1 + x_high[i + 1], x3 = x_high[i];
-            const float y0 = y_low[i], y1 = y_low[i + 1], y2 = 1 + y_high[i + 1], y3 = 1 + y_high[i];
-            const float left = f32::min(f32::min(x0, x1), f32::min(x2, x3));
-            const float right = f32::max(f32::max(x0, x1), f32::max(x2, x3));
-            const float bottom = f32::min(f32::min(y0, y1), f32::min(y2, y3));
-            const float top = f32::max(f32::max(y0, y1), f32::max(y2, y3));
+            f32::real2 a(x_low[i], y_low[i]), b(1 + x_low[i + 1], y_low[i + 1]), c(1 + x_high[i + 1], 1 + y_high[i + 1]),
+                d(x_high[i], 1 + y_high[i]);
+            const float left = f32::min(f32::min(a.x, b.x), f32::min(c.x, d.x));
+            const float right = f32::max(f32::max(a.x, b.x), f32::max(c.x, d.x));
+            const float bottom = f32::min(f32::min(a.y, b.y), f32::min(c.y, d.y));
+            const float top = f32::max(f32::max(a.y, b.y), f32::max(c.y, d.y));
             // Clamped so that any number, also one that is not, has an integer part.
             const float low_x = f32::floor(f32::clamp(left, -bound_x, bound_x));
             const float low_y = f32::floor(f32::clamp(bottom, -bound_y, bound_y));
-            const float one = (x1 - x0) * (y2 - y0) - (y1 - y0) * (x2 - x0);
-            const float two = (x2 - x0) * (y3 - y0) - (y2 - y0) * (x3 - x0);
-            const float whole = 0.5F * (one + two);
-            const bool small = (one * two > 0) & (f32::abs(whole) > least_area) & (right - low_x <= 2) &
+            const float one = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+            const float two = (c.x - a.x) * (d.y - a.y) - (c.y - a.y) * (d.x - a.x);
+            const float area = 0.5F * (one + two);
+            const bool small = (one * two > 0) & (f32::abs(area) > least_area) & (right - low_x <= 2) &
                                (top - low_y <= 2) & (left >= low_x) & (bottom >= low_y);
+            const auto moved = [&](f32::real2 p) { return f32::real2(p.x - low_x, p.y - low_y); };
+            const f32::FourParts parts = f32::parts_in_four(moved(a), moved(b), moved(c), moved(d), area);
             left_over[i] = !small & !(power[i] == 0);
-            area[i] = small ? whole : 1;
-            light[i] = small ? power[i] : 0;
-            bx0[i] = small ? x0 - low_x : 0;
-            bx1[i] = small ? x1 - low_x : 0;
-            bx2[i] = small ? x2 - low_x : 0;
-            bx3[i] = small ? x3 - low_x : 0;
-            by0[i] = small ? y0 - low_y : 0;
-            by1[i] = small ? y1 - low_y : 0;
-            by2[i] = small ? y2 - low_y : 0;
-            by3[i] = small ? y3 - low_y : 0;
-            column[i] = first_column + i + static_cast<int>(low_x);
-            row[i] = first_row + static_cast<int>(low_y);
+            pixel[i] = ring.pixel(first_column + i + static_cast<int>(low_x), row_from_oldest + static_cast<int>(low_y),
+                                  rows);
+            shares[4 * i] = small ? power[i] * parts.low_left : 0;
+            shares[4 * i + 1] = small ? power[i] * parts.low_right : 0;
+            shares[4 * i + 2] = small ? power[i] * parts.high_left : 0;
+            shares[4 * i + 3] = small ? power[i] * parts.high_right : 0;
         }
     }
 
@@ -207,7 +193,7 @@ class QuadSharer::Band : public ChannelBand {
     }
 
     void add_nine() {
-        s_.nine.share_in_nine(s_.shares.data());
+        s_.nine.share(s_.shares.data());
         for (int block = 0; block < 4; ++block)
             add_block(s_.nine, 2 * (block % 2), 2 * (block / 2), s_.shares.data() + 4 * block * QuadBatch::size);
         s_.nine.count = 0;

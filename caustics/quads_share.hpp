@@ -23,7 +23,7 @@ class QuadSharer {
         std::vector<float> channels, shares, counted;
         std::vector<int> pixel;
         std::array<unsigned char, QuadBatch::size> left_over;
-        QuadBatch four, nine;
+        QuadBatch nine;
         CellShares exact;
     };
     class Band;
