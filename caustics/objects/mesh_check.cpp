@@ -210,8 +210,7 @@ class PlyChecker {
         require(line.size() <= longest_line, "has a line that is too long");
         const auto next = [&] {
             const std::string_view word = take_word(line);
-            require(is_number(word),
-                    fmt::format("a row of element \"{}\" has no number where one must be", element.name));
+            require(is_number(word), "has no number where one must be");
             return word;
         };
         for (const PlyProperty& property : element.properties) {
