@@ -8,6 +8,7 @@
 
 #include "caustics/beams.hpp"
 #include "caustics/objects/repeated_objects.hpp"
+#include "caustics/objects/shadow_box.hpp"
 
 namespace waterlight {
 
@@ -47,10 +48,15 @@ class BeamCutter {
     /// None where no object stops any of the beam: it then stays as it is.
     std::vector<BeamPiece> pieces(const BeamTriangle& beam) const;
 
+    struct World {
+        const Beams& beams;
+        RepeatedObjects objects;
+        std::vector<ShadowBox> boxes;  ///< of each object
+        glm::dvec3 to_sun;
+    };
+
   private:
-    const Beams& beams_;
-    RepeatedObjects objects_;
-    glm::dvec3 to_sun_;
+    World world_;
 };
 
 /// Pieces of many beams as beams of their own.

@@ -66,14 +66,16 @@ std::optional<ObjectHit> RepeatedObjects::first_hit(const Ray& ray) const {
     return nearest;
 }
 
-bool RepeatedObjects::over(int object, glm::dvec2 low_m, glm::dvec2 high_m) const {
+RepeatedObjects::Shifts RepeatedObjects::shifts(int object, glm::dvec2 low_m, glm::dvec2 high_m) const {
     const glm::dvec3 low = placed_.low_m(object), high = placed_.high_m(object);
+    Shifts all;
     for (int axis = 0; axis < 2; ++axis) {
         const Periods p(period_m_[axis], low_m[axis], high_m[axis], low[axis], high[axis]);
-        if (p.first > p.last) return false;
-        if (period_m_[axis] == 0 && (low_m[axis] > high[axis] || high_m[axis] < low[axis])) return false;
+        all.first[axis] = p.first;
+        all.last[axis] = p.last;
+        if (period_m_[axis] == 0 && (low_m[axis] > high[axis] || high_m[axis] < low[axis])) all.last[axis] = -1;
     }
-    return true;
+    return all;
 }
 
 }  // namespace waterlight

@@ -18,9 +18,13 @@ class RepeatedObjects {
     /// The first that the ray meets, wherever it is repeated. The ray's farthest_m is finite where it is level. Any
     /// number of threads at once.
     std::optional<ObjectHit> first_hit(const Ray& ray) const;
-    /// Whether the box of an object, or of one of its repetitions, meets a box that is as wide and deep as these
-    /// corners say; heights do not count.
-    bool over(int object, glm::dvec2 low_m, glm::dvec2 high_m) const;
+    /// The first and the last whole periods, along x and y, by which an object may be moved for its box to meet one
+    /// that is as wide and deep as these corners say; heights do not count. first > last where there are none.
+    struct Shifts {
+        glm::ivec2 first{0, 0}, last{0, 0};
+    };
+    Shifts shifts(int object, glm::dvec2 low_m, glm::dvec2 high_m) const;
+    glm::dvec2 period_m() const { return {period_m_[0], period_m_[1]}; }
     const PlacedObjects& placed() const { return placed_; }
 
   private:
