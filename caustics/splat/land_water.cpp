@@ -16,14 +16,22 @@ SplitPlace split(double place) {
     return part >= 1 ? SplitPlace{static_cast<int>(whole) + 1, 0} : SplitPlace{static_cast<int>(whole), part};
 }
 
+/// Where a vertex beyond a wall reads the water that is mirrored there.
+int mirrored(int vertex, int count, Side side) {
+    if (side != Side::wall) return vertex;
+    return std::clamp(vertex < 0 ? -1 - vertex : (vertex >= count ? 2 * count - 1 - vertex : vertex), 0, count - 1);
+}
+
 /// How SurfaceRows is told where the vertices are.
-FloorFrame rows_frame(const VertexLattice& l, const Grid& g) {
+FloorFrame rows_frame(const VertexLattice& l, const Grid& g, Boundary sides) {
     FloorFrame f;
     f.columns = {l.first.x, l.count.x};
     f.rows = {l.first.y, l.count.y};
     for (int i = 0; i < l.count.x; ++i)
-        f.column_x.push_back(split((l.place_m({l.first.x + i, 0}).x - g.x_m(0)) / g.dx_m));
-    for (int j = 0; j < l.count.y; ++j) f.row_y.push_back(split((l.place_m({0, l.first.y + j}).y - g.y_m(0)) / g.dy_m));
+        f.column_x.push_back(
+            split((l.place_m({mirrored(l.first.x + i, l.domain.x, sides.x), 0}).x - g.x_m(0)) / g.dx_m));
+    for (int j = 0; j < l.count.y; ++j)
+        f.row_y.push_back(split((l.place_m({0, mirrored(l.first.y + j, l.domain.y, sides.y)}).y - g.y_m(0)) / g.dy_m));
     f.column_y.resize(f.column_x.size());
     f.row_x.resize(f.row_y.size());
     f.half_width_x = static_cast<float>(0.5 * l.spacing_m.x / g.dx_m);
@@ -62,6 +70,16 @@ std::pair<glm::dvec2, glm::dvec2> shifts(const SplatSettings& s, const SplatFram
     return {glm::dvec2{-reach, -reach}, glm::dvec2{reach, reach}};
 }
 
+void mirror_slopes(const VertexLattice& l, Boundary sides, int j, SampleRow& water) {
+    const auto beyond = [](int vertex, int count, Side side) {
+        return side == Side::wall && (vertex < 0 || vertex >= count);
+    };
+    for (int i = 0; i < l.count.x; ++i)
+        if (beyond(l.first.x + i, l.domain.x, sides.x)) water.slope_x[i] *= -1;
+    if (!beyond(l.first.y + j, l.domain.y, sides.y)) return;
+    for (float& slope : water.slope_y) slope *= -1;
+}
+
 /// Vertices of a row before they land.
 struct EnteredRow {
     std::vector<float> x, y, z, incident, transmitted;
@@ -98,7 +116,7 @@ SplatCloud land_water(const SplatSettings& settings, SplatFrame& frame, const Re
     const auto [low, high] = shifts(settings, frame, surface);
     widen_lattice(frame, surface, low, high);
     const VertexLattice& l = frame.lattice;
-    const FloorFrame rows = rows_frame(l, surface.grid);
+    const FloorFrame rows = rows_frame(l, surface.grid, surface.boundary);
     const SurfaceRows reader(rows, surface);
     const Lander lander(settings, frame, receivers);
     const f32::SplatLight light = single(frame.light);
@@ -125,12 +143,13 @@ SplatCloud land_water(const SplatSettings& settings, SplatFrame& frame, const Re
         for (int j = 0; j < l.count.y; ++j) {
             const glm::dvec2 first = l.place_m({l.first.x, l.first.y + j});
             reader.read(j, scratch, water);
+            mirror_slopes(l, surface.boundary, j, water);
             enter(light, frame, place_x, static_cast<float>(first.y), water, row);
             FlightAccount& account = accounts[static_cast<std::size_t>(j)];
             for (int i = 0; i < l.count.x; ++i) {
                 const std::size_t k =
                     static_cast<std::size_t>(j) * static_cast<std::size_t>(l.count.x) + static_cast<std::size_t>(i);
-                const bool rim = i == 0 || j == 0 || i == l.count.x - 1 || j == l.count.y - 1;
+                const bool rim = std::min({i, j, l.count.x - 1 - i, l.count.y - 1 - j}) < vertex_rim;
                 const bool own = l.in_domain(l.first + glm::ivec2{i, j});
                 const double incident = rim ? 0 : area * row.incident[i],
                              transmitted = rim ? 0 : area * row.transmitted[i];

@@ -11,11 +11,12 @@ namespace waterlight {
 /// Landed vertices in rows. Of a lattice the neighbours are a column and a row away, and its outermost vertices carry
 /// no light; else they are listed.
 struct SplatCloud {
-    std::vector<glm::dvec2> pixel;  ///< where each lands, on the map; may be not finite where it carries no light
-    std::vector<double> power_w;    ///< with which
-    std::vector<char> own;          ///< whether its light is of the domain
-    std::vector<int> row_begin;     ///< first vertex of each row, and the end of the last
-    int columns = 0;                ///< of a lattice
+    std::vector<glm::dvec2> pixel;   ///< where each lands, on the map; may be not finite where it carries no light
+    std::vector<double> power_w;     ///< with which
+    std::vector<char> own;           ///< whether its light is of the domain
+    std::vector<int> row_begin;      ///< first vertex of each row, and the end of the last
+    int columns = 0;                 ///< of a lattice
+    std::vector<glm::ivec2> vertex;  ///< of the lattice, of each; empty for a lattice
     /// West, east, south, north; -1: none whose light goes the same way. Empty for a lattice.
     std::vector<glm::ivec4> neighbours;
     glm::dvec2 step_x{1, 0}, step_y{0, 1};  ///< from vertex to vertex where light goes straight, pixels

@@ -82,6 +82,9 @@ SplatFrame splat_frame(const SplatSettings& s, const Surface& surface) {
     f.pixel_area_m2 = f.plan.pitch_m.x * f.plan.pitch_m.y;
     f.pixel_m = std::min(f.plan.pitch_m.x, f.plan.pitch_m.y);
     f.period_m = {surface.boundary.x == Side::periodic ? size.x : 0, surface.boundary.y == Side::periodic ? size.y : 0};
+    // Of a lamp no light comes in over periodic sides.
+    const auto ends = [&](Side side) { return side == Side::wall || (side == Side::periodic && s.lamp); };
+    f.ends = {ends(surface.boundary.x), ends(surface.boundary.y)};
     return f;
 }
 
@@ -96,7 +99,7 @@ std::pair<glm::dvec2, glm::dvec2> box_about(const FloorPlan& plan) {
 }
 
 void widen_lattice(SplatFrame& frame, const Surface& surface, glm::dvec2 low_m, glm::dvec2 high_m) {
-    constexpr int ring = 1, margin = 6;  // vertices: for differences; whose splats reach the map from beside it
+    constexpr int margin = 6;  // whose splats reach the map from beside it
     VertexLattice& l = frame.lattice;
     const auto [map_low, map_high] = box_about(frame.plan);
     std::int64_t vertices = 1;
@@ -104,8 +107,8 @@ void widen_lattice(SplatFrame& frame, const Surface& surface, glm::dvec2 low_m, 
         const Side side = axis == 0 ? surface.boundary.x : surface.boundary.y;
         const bool climbs = surface.tilt[axis] != 0;
         double low = 0, high = l.domain[axis];
-        if (side == Side::periodic && climbs) frame.period_m[axis] = 0;
-        if (side == Side::absorbing || (side == Side::periodic && climbs)) {
+        if (side == Side::periodic && climbs && !frame.ends[axis]) frame.period_m[axis] = 0;
+        if (side == Side::absorbing || (side == Side::periodic && climbs && !frame.ends[axis])) {
             const auto vertex = [&](double at_m) { return (at_m - l.corner_m[axis]) / l.spacing_m[axis]; };
             low = std::min(low, std::floor(vertex(map_low[axis] - high_m[axis])) - margin);
             high = std::max(high, std::ceil(vertex(map_high[axis] - low_m[axis])) + margin);
@@ -116,8 +119,8 @@ void widen_lattice(SplatFrame& frame, const Surface& surface, glm::dvec2 low_m, 
                 fmt::format("splats: light comes from {:.0f} vertices beside the domain; allowed: at most 2^20. Give a "
                             "smaller grid, or a map that is nearer to the domain",
                             std::max(-low, high - l.domain[axis])));
-        l.first[axis] = static_cast<int>(low) - ring;
-        l.count[axis] = static_cast<int>(high - low) + 2 * ring;
+        l.first[axis] = static_cast<int>(low) - vertex_rim;
+        l.count[axis] = static_cast<int>(high - low) + 2 * vertex_rim;
         vertices *= l.count[axis];
     }
     if (vertices > (std::int64_t{1} << 30))

@@ -21,6 +21,9 @@ struct VertexLattice {
     double area_m2() const { return spacing_m.x * spacing_m.y; }
 };
 
+/// So many vertices on each side of what is followed have no light: for differences, and as mirror images at walls.
+inline constexpr int vertex_rim = 4;
+
 struct SplatFrame {
     f64::SplatLight light;
     VertexLattice lattice;
@@ -28,8 +31,9 @@ struct SplatFrame {
     FloorPlan plan;
     glm::dmat2 to_pixels{1};  ///< of metres on the floor
     double pixel_area_m2 = 1;
-    double pixel_m = 1;         ///< its shorter side
-    glm::dvec2 period_m{0, 0};  ///< after which what lands repeats; 0: it does not
+    double pixel_m = 1;             ///< its shorter side
+    glm::bvec2 ends{false, false};  ///< whether the lattice's light ends with the domain
+    glm::dvec2 period_m{0, 0};      ///< after which what lands repeats; 0: it does not
 };
 
 /// Throws InputError where a setting is out of its range.
