@@ -46,30 +46,6 @@ f32::SplatLight single(const f64::SplatLight& l) {
             static_cast<float>(l.cosine)};
 }
 
-/// By how much light moves at most on its way down, along each axis: where it enters still water, or waves that climb.
-std::pair<glm::dvec2, glm::dvec2> shifts(const SplatSettings& s, const SplatFrame& frame, const Surface& surface) {
-    const double level = frame.light.image.level;
-    const auto highest = static_cast<double>(*std::ranges::max_element(surface.elevation.values()));
-    if (!s.lamp && surface.tilt == glm::dvec2{0, 0}) {
-        const glm::dvec2 still =
-            -level * f64::refract_sun(frame.light.image.source, {0, 0}, frame.index, frame.fresnel).travel;
-        return {glm::min(still, glm::dvec2{0, 0}), glm::max(still, glm::dvec2{0, 0})};
-    }
-    // From the steepest water, or from where a lamp's light is most slanting.
-    double most = 0;
-    const auto consider = [&](glm::dvec3 direction, glm::dvec2 slope) {
-        most = std::max(most, glm::length(f64::refract_sun(direction, slope, frame.index, frame.fresnel).travel));
-    };
-    const auto [low, high] = box_about(frame.plan);
-    const auto light = [&](glm::dvec2 at) { return f64::light_at(frame.light, {at, 0}).direction; };
-    for (const glm::dvec2 corner : {low, {high.x, low.y}, high, {low.x, high.y}}) consider(light(corner), {0, 0});
-    if (surface.tilt != glm::dvec2{0, 0})
-        for (std::size_t k = 0; k < surface.slope_x.size(); ++k)
-            consider(light({0, 0}), {surface.slope_x.values()[k], surface.slope_y.values()[k]});
-    const double reach = most * (highest - level);
-    return {glm::dvec2{-reach, -reach}, glm::dvec2{reach, reach}};
-}
-
 void mirror_slopes(const VertexLattice& l, Boundary sides, int j, SampleRow& water) {
     const auto beyond = [](int vertex, int count, Side side) {
         return side == Side::wall && (vertex < 0 || vertex >= count);
@@ -113,8 +89,8 @@ void enter(const f32::SplatLight& light, const SplatFrame& frame, const std::vec
 
 SplatCloud land_water(const SplatSettings& settings, SplatFrame& frame, const Receivers& receivers,
                       const Surface& surface) {
-    const auto [low, high] = shifts(settings, frame, surface);
-    widen_lattice(frame, surface, low, high);
+    const glm::dvec2 corner = frame.lattice.corner_m, size{surface.grid.width_m(), surface.grid.height_m()};
+    widen_lattice(frame, surface, light_shifts(settings, frame, surface), {corner, corner + size});
     const VertexLattice& l = frame.lattice;
     const FloorFrame rows = rows_frame(l, surface.grid, surface.boundary);
     const SurfaceRows reader(rows, surface);

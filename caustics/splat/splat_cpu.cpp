@@ -1,4 +1,5 @@
 // Caustics mapping on the CPU.
+#include "caustics/splat/capture.hpp"
 #include "caustics/splat/splat_cloud.hpp"
 #include "caustics/splat/splat_spread.hpp"
 
@@ -16,7 +17,9 @@ class SplatCpu final : public SplatFloor {
     void compute(const Surface& surface, FloorMap& map) override {
         SplatFrame frame = splat_frame(s_, surface);
         const Receivers receivers = s_.bed_m ? Receivers(frame, surface, *s_.bed_m) : Receivers(frame.light.image);
-        SplatCloud cloud = land_water(s_, frame, receivers, surface);
+        const bool alone = !s_.floor.objects || s_.floor.objects->empty();
+        SplatCloud cloud =
+            alone ? land_water(s_, frame, receivers, surface) : land_captured(s_, frame, receivers, surface);
         Field<double> power(frame.plan.width, frame.plan.height);
         spread(s_.options, frame, cloud, power);
         report_ = cloud.report;

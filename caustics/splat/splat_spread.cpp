@@ -128,16 +128,25 @@ float add_splat(const Splat& splat, Part& part) {
     return splat.near_edge ? add_edged(splat, part) : add_gaussian(splat.shape, splat.centre, splat.power_w, part);
 }
 
-glm::dvec2 difference(const SplatCloud& c, glm::dvec2 at, int before, int after, glm::dvec2 step, glm::dvec2& bend) {
-    const auto landed = [&](int k) { return k >= 0 && std::isfinite(c.pixel[k].x) && std::isfinite(c.pixel[k].y); };
-    bend = {0, 0};
-    const bool has_before = landed(before), has_after = landed(after);
-    if (has_before && has_after) {
-        bend = c.pixel[after] - 2.0 * at + c.pixel[before];
-        return 0.5 * (c.pixel[after] - c.pixel[before]);
+/// First and second difference along one axis of the lattice, pixels.
+struct Difference {
+    glm::dvec2 first{0, 0}, second{0, 0};
+};
+
+/// Of the landing of vertex k between two others (-1: none); `step` where it has none.
+Difference difference(const SplatCloud& c, int k, int before, int after, glm::dvec2 step) {
+    const auto landed = [&](int n) { return n >= 0 && std::isfinite(c.pixel[n].x) && std::isfinite(c.pixel[n].y); };
+    const glm::dvec2 at = c.pixel[k];
+    if (landed(before) && landed(after)) {
+        const glm::dvec2 low = at - c.pixel[before], high = c.pixel[after] - at;
+        // Objects have edges, across which light jumps: then the footprint is that of the side without.
+        const double l = glm::length(low), h = glm::length(high);
+        const bool jumps = c.columns == 0 && std::max(l, h) > 3 * (std::min(l, h) + glm::length(step));
+        if (jumps) return {l < h ? low : high, {0, 0}};
+        return {0.5 * (low + high), high - low};
     }
-    if (has_before) return at - c.pixel[before];
-    return has_after ? c.pixel[after] - at : step;
+    if (landed(before)) return {at - c.pixel[before], {0, 0}};
+    return {landed(after) ? c.pixel[after] - at : step, {0, 0}};
 }
 
 /// How many vertices lie between one and the end of its lattice, which is behind it (< 0: before it); 0 where that is
@@ -296,10 +305,10 @@ Splat splat_of(const SplatOptions& options, const SplatFrame& frame, const Splat
     }
     const glm::ivec4 n = cloud.columns > 0 ? glm::ivec4{k - 1, k + 1, k - cloud.columns, k + cloud.columns}
                                            : cloud.neighbours[static_cast<std::size_t>(k)];
-    glm::dvec2 bend_a, bend_b;
-    const glm::vec2 a(difference(cloud, at, n[0], n[1], cloud.step_x, bend_a));
-    const glm::vec2 b(difference(cloud, at, n[2], n[3], cloud.step_y, bend_b));
-    splat.shape = f32::landed_splat(a, b, glm::vec2(bend_a), glm::vec2(bend_b));
+    const Difference by_x = difference(cloud, k, n[0], n[1], cloud.step_x);
+    const Difference by_y = difference(cloud, k, n[2], n[3], cloud.step_y);
+    const glm::vec2 a(by_x.first), b(by_y.first);
+    splat.shape = f32::landed_splat(a, b, glm::vec2(by_x.second), glm::vec2(by_y.second));
     splat.centre += glm::dvec2(splat.shape.shift);
     splat.edges[0] = edge_of(frame, cloud, splat, k, {0, a, b});
     splat.edges[1] = edge_of(frame, cloud, splat, k, {1, b, a});

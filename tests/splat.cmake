@@ -1,0 +1,3 @@
+waterlight_test(splat_test
+    SOURCES laws/splat_landing.cpp laws/splat_objects.cpp laws/splat_water.cpp
+    LIBRARIES waterlight::caustics)
