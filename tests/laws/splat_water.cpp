@@ -69,10 +69,9 @@ TEST(Splat, TheShadowOfAWallIsSharpAndTheOtherWallHasNoSeam) {
     const f64::Refraction r = f64::refract_sun(s.floor.sun.direction(), {0, 0}, 4.0 / 3, 1);
     const double still = still_irradiance(s.floor), shadow = -r.travel.x, edge = (4 - shadow) / (4.0 / 128);
     for (int i = 0; i < 128; ++i) {
-        const double lit = std::clamp(edge - i, 0.0, 1.0);
-        for (const int j : {0, 1, 64, 127})
-            EXPECT_NEAR(map.irradiance(i, j) / still, lit, std::abs(i + 0.5 - edge) < 1.5 ? 0.15 : 1e-3)
-                << i << " " << j;
+        const double lit = std::clamp(edge - i, 0.0, 1.0), away = std::abs(i + 0.5 - edge);
+        const double tolerance = away < 1.5 ? 0.15 : (away < 3 ? 0.01 : 1e-3);
+        for (const int j : {0, 1, 64, 127}) EXPECT_NEAR(map.irradiance(i, j) / still, lit, tolerance) << i << " " << j;
     }
     EXPECT_NEAR(map.ledger.outside_w, still * 4 * shadow, 1e-3 * still * 16);
     EXPECT_LT(map.ledger.closure(), 1e-6);
@@ -112,9 +111,10 @@ Measured measure(double depth_m, double elevation_deg, int pixels, SplatOptions:
 // is above 1.5 until what is left is the unevenness of the splats' own lattice, below 1e-4.
 TEST(Splat, ConvergesToTheTruthBeforeTheFocus) {
     for (const double elevation : {90.0, 60.0}) {
-        const double coarse = measure(3, elevation, 32, SplatOptions::Size::jacobian, periodic).rmse;
-        const double middle = measure(3, elevation, 64, SplatOptions::Size::jacobian, periodic).rmse;
-        const double fine = measure(3, elevation, 128, SplatOptions::Size::jacobian, periodic).rmse;
+        const double depth = elevation == 90 ? 3 : 2;  // under a slanting sun the focus is nearer
+        const double coarse = measure(depth, elevation, 32, SplatOptions::Size::jacobian, periodic).rmse;
+        const double middle = measure(depth, elevation, 64, SplatOptions::Size::jacobian, periodic).rmse;
+        const double fine = measure(depth, elevation, 128, SplatOptions::Size::jacobian, periodic).rmse;
         EXPECT_LT(middle, coarse);
         EXPECT_LT(fine, middle);
         EXPECT_GT(std::log2(coarse / fine) / 2, 1.2) << elevation;
@@ -206,7 +206,7 @@ TEST(Splat, OnHillsItIsTheMapOfExactLanding) {
         for (int i = 0; i < grid.nx; ++i)
             bed(i, j) = static_cast<float>(-1.2 + .15 * std::sin(k * grid.x_m(i)) * std::cos(k * grid.y_m(j)));
     double last = 1;
-    for (const int pixels : {48, 96, 192}) {
+    for (const int pixels : {24, 48, 96}) {
         SplatSettings s = splat_settings(grid, pixels, pixels, 60);
         s.bed_m = std::make_shared<Field<float>>(bed.clone());
         ReliefSettings fine;
