@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "caustics/splat/light_ways.hpp"
 #include "sim/error.hpp"
 
 namespace waterlight {
@@ -42,14 +41,14 @@ std::pair<glm::dvec2, glm::dvec2> lit_box(const SplatFrame& frame, const Surface
     return {low, high};
 }
 
-/// The vertices of all rows in one list, and where the ways of each vertex of the lattice begin.
-struct Captured {
+/// The ways of all vertices in one list, and where those of each vertex of the lattice begin.
+struct Traced {
     std::vector<CapturedVertex> all;
     std::vector<int> begin;
     FlightAccount account;
 };
 
-Captured trace(const SplatSettings& settings, const SplatFrame& frame, const WaterScene& scene) {
+Traced trace(const SplatSettings& settings, const SplatFrame& frame, const WaterScene& scene) {
     const VertexLattice& l = frame.lattice;
     std::vector<std::vector<CapturedVertex>> rows(static_cast<std::size_t>(l.count.y));
     std::vector<std::vector<int>> ends(rows.size());
@@ -67,7 +66,7 @@ Captured trace(const SplatSettings& settings, const SplatFrame& frame, const Wat
             }
         }
     }
-    Captured captured;
+    Traced captured;
     captured.begin.push_back(0);
     for (std::size_t j = 0; j < rows.size(); ++j) {
         const int before = static_cast<int>(captured.all.size());
@@ -79,7 +78,7 @@ Captured trace(const SplatSettings& settings, const SplatFrame& frame, const Wat
 }
 
 /// Among the ways of a vertex of the lattice the one that is like `way`; -1: none.
-int same_way(const Captured& captured, int lattice_vertex, std::uint64_t way) {
+int same_way(const Traced& captured, int lattice_vertex, std::uint64_t way) {
     for (int k = captured.begin[lattice_vertex]; k < captured.begin[lattice_vertex + 1]; ++k)
         if (captured.all[k].way == way) return k;
     return -1;
@@ -87,8 +86,7 @@ int same_way(const Captured& captured, int lattice_vertex, std::uint64_t way) {
 
 }  // namespace
 
-SplatCloud land_captured(const SplatSettings& settings, SplatFrame& frame, const Receivers& receivers,
-                         const Surface& surface) {
+CapturedLight capture(const SplatSettings& settings, SplatFrame& frame, const Surface& surface) {
     const glm::dvec2 size{surface.grid.width_m(), surface.grid.height_m()};
     WaterSceneSettings scene_settings{.depth_m = settings.floor.depth_m,
                                       .bed_m = settings.bed_m,
@@ -106,28 +104,38 @@ SplatCloud land_captured(const SplatSettings& settings, SplatFrame& frame, const
     const glm::dvec2 low = l.place_m(l.first), high = l.place_m(l.first + l.count);
     const glm::dvec2 beside = glm::max(l.corner_m - low, high - l.corner_m - size);
     scene_settings.still_beyond_m = std::max({0.0, beside.x, beside.y});
-    const WaterScene scene(scene_settings, surface);
-    Captured captured = trace(settings, frame, scene);
+    Traced traced = trace(settings, frame, WaterScene(scene_settings, surface));
 
-    SplatCloud cloud;
-    const Lander lander(settings, frame, receivers);
-    for (int j = 0; j <= l.count.y; ++j) cloud.row_begin.push_back(captured.begin[j * l.count.x]);
-    cloud.step_x = frame.to_pixels * glm::dvec2{l.spacing_m.x, 0};
-    cloud.step_y = frame.to_pixels * glm::dvec2{0, l.spacing_m.y};
+    CapturedLight light;
+    for (int j = 0; j <= l.count.y; ++j) light.row_begin.push_back(traced.begin[j * l.count.x]);
     for (int n = 0; n < l.count.x * l.count.y; ++n)
-        for (int k = captured.begin[n]; k < captured.begin[n + 1]; ++k) {
-            const CapturedVertex& v = captured.all[k];
-            const Arrival arrival = lander(v.flight, captured.account);
-            cloud.pixel.push_back(arrival.pixel);
-            cloud.power_w.push_back(arrival.power_w);
-            cloud.own.push_back(v.flight.own);
-            cloud.vertex.push_back(v.vertex);
+        for (int k = traced.begin[n]; k < traced.begin[n + 1]; ++k) {
+            const std::uint64_t way = traced.all[k].way;
             // The lattice's outermost vertices have no ways: all others have neighbours on all sides.
-            cloud.neighbours.emplace_back(same_way(captured, n - 1, v.way), same_way(captured, n + 1, v.way),
-                                          same_way(captured, n - l.count.x, v.way),
-                                          same_way(captured, n + l.count.x, v.way));
+            light.neighbours.emplace_back(same_way(traced, n - 1, way), same_way(traced, n + 1, way),
+                                          same_way(traced, n - l.count.x, way), same_way(traced, n + l.count.x, way));
         }
-    captured.account.finish(cloud);
+    light.all = std::move(traced.all);
+    light.account = traced.account;
+    return light;
+}
+
+SplatCloud land_captured(const SplatSettings& settings, const SplatFrame& frame, const Receivers& receivers,
+                         CapturedLight light) {
+    const Lander lander(settings, frame, receivers);
+    SplatCloud cloud;
+    cloud.step_x = frame.to_pixels * glm::dvec2{frame.lattice.spacing_m.x, 0};
+    cloud.step_y = frame.to_pixels * glm::dvec2{0, frame.lattice.spacing_m.y};
+    cloud.row_begin = std::move(light.row_begin);
+    cloud.neighbours = std::move(light.neighbours);
+    for (const CapturedVertex& v : light.all) {
+        const Arrival arrival = lander(v.flight, light.account);
+        cloud.pixel.push_back(arrival.pixel);
+        cloud.power_w.push_back(arrival.power_w);
+        cloud.own.push_back(v.flight.own);
+        cloud.vertex.push_back(v.vertex);
+    }
+    light.account.finish(cloud);
     return cloud;
 }
 

@@ -22,23 +22,6 @@ int mirrored(int vertex, int count, Side side) {
     return std::clamp(vertex < 0 ? -1 - vertex : (vertex >= count ? 2 * count - 1 - vertex : vertex), 0, count - 1);
 }
 
-/// How SurfaceRows is told where the vertices are.
-FloorFrame rows_frame(const VertexLattice& l, const Grid& g, Boundary sides) {
-    FloorFrame f;
-    f.columns = {l.first.x, l.count.x};
-    f.rows = {l.first.y, l.count.y};
-    for (int i = 0; i < l.count.x; ++i)
-        f.column_x.push_back(
-            split((l.place_m({mirrored(l.first.x + i, l.domain.x, sides.x), 0}).x - g.x_m(0)) / g.dx_m));
-    for (int j = 0; j < l.count.y; ++j)
-        f.row_y.push_back(split((l.place_m({0, mirrored(l.first.y + j, l.domain.y, sides.y)}).y - g.y_m(0)) / g.dy_m));
-    f.column_y.resize(f.column_x.size());
-    f.row_x.resize(f.row_y.size());
-    f.half_width_x = static_cast<float>(0.5 * l.spacing_m.x / g.dx_m);
-    f.half_width_y = static_cast<float>(0.5 * l.spacing_m.y / g.dy_m);
-    return f;
-}
-
 f32::SplatLight single(const f64::SplatLight& l) {
     return {{glm::vec3(l.image.source), static_cast<float>(l.image.parallel), static_cast<float>(l.image.level)},
             static_cast<float>(l.strength),
@@ -87,12 +70,32 @@ void enter(const f32::SplatLight& light, const SplatFrame& frame, const std::vec
 
 }  // namespace
 
-SplatCloud land_water(const SplatSettings& settings, SplatFrame& frame, const Receivers& receivers,
-                      const Surface& surface) {
+FloorFrame vertex_rows(const VertexLattice& l, const Grid& g, Boundary sides) {
+    FloorFrame f;
+    f.columns = {l.first.x, l.count.x};
+    f.rows = {l.first.y, l.count.y};
+    for (int i = 0; i < l.count.x; ++i)
+        f.column_x.push_back(
+            split((l.place_m({mirrored(l.first.x + i, l.domain.x, sides.x), 0}).x - g.x_m(0)) / g.dx_m));
+    for (int j = 0; j < l.count.y; ++j)
+        f.row_y.push_back(split((l.place_m({0, mirrored(l.first.y + j, l.domain.y, sides.y)}).y - g.y_m(0)) / g.dy_m));
+    f.column_y.resize(f.column_x.size());
+    f.row_x.resize(f.row_y.size());
+    f.half_width_x = static_cast<float>(0.5 * l.spacing_m.x / g.dx_m);
+    f.half_width_y = static_cast<float>(0.5 * l.spacing_m.y / g.dy_m);
+    return f;
+}
+
+void widen_to_water(const SplatSettings& settings, SplatFrame& frame, const Surface& surface) {
     const glm::dvec2 corner = frame.lattice.corner_m, size{surface.grid.width_m(), surface.grid.height_m()};
     widen_lattice(frame, surface, light_shifts(settings, frame, surface), {corner, corner + size});
+}
+
+SplatCloud land_water(const SplatSettings& settings, SplatFrame& frame, const Receivers& receivers,
+                      const Surface& surface) {
+    widen_to_water(settings, frame, surface);
     const VertexLattice& l = frame.lattice;
-    const FloorFrame rows = rows_frame(l, surface.grid, surface.boundary);
+    const FloorFrame rows = vertex_rows(l, surface.grid, surface.boundary);
     const SurfaceRows reader(rows, surface);
     const Lander lander(settings, frame, receivers);
     const f32::SplatLight light = single(frame.light);

@@ -4,6 +4,7 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
+#include "caustics/floor_frame.hpp"
 #include "caustics/splat/receivers.hpp"
 
 namespace waterlight {
@@ -45,6 +46,7 @@ struct FlightAccount {
     double step2_m2 = 0;  ///< sum of squares of the last steps
 
     void add(const FlightAccount& other);
+    SplatReport summed_report() const;
     /// Into a cloud.
     void finish(SplatCloud& cloud) const;
 };
@@ -61,6 +63,13 @@ class Lander {
     const SplatFrame& frame_;
     const Receivers& receivers_;
 };
+
+/// How SurfaceRows is told where the vertices of a lattice are. Beyond walls they read the water that is mirrored
+/// there; the sign of its slopes is theirs to change.
+FloorFrame vertex_rows(const VertexLattice& lattice, const Grid& grid, Boundary sides);
+
+/// Widens the frame's lattice to all vertices of the water alone.
+void widen_to_water(const SplatSettings& settings, SplatFrame& frame, const Surface& surface);
 
 /// The water alone: a lattice of vertices on its surface. Widens the frame's lattice.
 SplatCloud land_water(const SplatSettings& settings, SplatFrame& frame, const Receivers& receivers,
