@@ -11,6 +11,7 @@
 #include "app/readings.hpp"
 #include "caustics/beam_renderer_vulkan.hpp"
 #include "caustics/floor_vulkan.hpp"
+#include "caustics/splat/splat_vulkan.hpp"
 #include "caustics/truth.hpp"
 #include "scenarios/build_floor.hpp"
 #include "scenarios/resolve.hpp"
@@ -92,6 +93,10 @@ FloorMaker back_end_maker(const Scenario& scenario, const BuiltModel& model, con
     const FloorMethod method = scenario.floor->method;
     if (decision.backend == Backend::vulkan && method == FloorMethod::two_pass && !bed)
         return [context = decision.context](const FloorSettings& s) { return make_floor_vulkan(s, context); };
+    if (decision.backend == Backend::vulkan && method == FloorMethod::splat)
+        return [&scenario, bed, context = decision.context](const FloorSettings& s) {
+            return make_splat_floor_vulkan(splat_settings(scenario, s, bed), context);
+        };
     return floor_maker(scenario, bed);
 }
 

@@ -85,9 +85,6 @@ void check_who_knows_objects(const Scenario& s) {
     if (s.floor && s.floor->method == FloorMethod::truth)
         s.origin.reject("caustics.floor.method", "\"truth\" beside [[object]]",
                         "two-pass, quads, splat or photons; the truth does not know objects");
-    if (s.floor && s.floor->on.receiver == Receiver::ground && s.floor->method == FloorMethod::two_pass)
-        s.origin.reject("caustics.floor.receiver", "\"ground\" beside [[object]] and method = \"two-pass\"",
-                        "method splat or photons");
     if (s.walls) s.origin.reject("caustics.walls", "it beside [[object]]", "walls without objects, which they ignore");
     if (s.accuracy.estimate && s.floor)
         s.origin.reject("accuracy.estimate", "true beside [[object]] and [caustics.floor]",

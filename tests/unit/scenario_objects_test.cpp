@@ -181,8 +181,6 @@ INSTANTIATE_TEST_SUITE_P(
             "pool.toml:8:22: caustics.floor.photons.passes: found 1", "2 or more"},
         Bad{"GroundOfQuads", "[waves]\nmodel = \"shallow-water\"\n" MAP("quads") "receiver = \"ground\"\n",
             "pool.toml:10:12: caustics.floor.receiver: found ground beside", "method two-pass, splat or photons"},
-        Bad{"ObjectsOnGround", "[waves]\nmodel = \"shallow-water\"\n" MAP("two-pass") "receiver = \"ground\"\n" BALL,
-            "pool.toml:10:12: caustics.floor.receiver: found \"ground\" beside [[object]]", "method splat or photons"},
         Bad{"PhotonErrorOfQuads", MAP("quads") "[[check]]\nquantity = \"floor.photon_error\"\nbelow = 1\n",
             "pool.toml:9:12: check[0].quantity:", "method photons"},
         Bad{"SplatPartsOfQuads", MAP("quads") "[[check]]\nquantity = \"floor.splat_missed\"\nbelow = 1\n",
