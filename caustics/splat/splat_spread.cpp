@@ -91,9 +91,7 @@ float add_gaussian(const f32::SplatShape& s, glm::dvec2 at, float power, Part& p
 float add_edged(const Splat& splat, Part& part) {
     const glm::dvec2 reach = splat.reach();
     const glm::ivec2 low(glm::floor(splat.centre - reach)), high(glm::floor(splat.centre + reach));
-    // Wider ones are few, of an edge that light hardly leaves.
-    constexpr int most = 512;
-    if (high.x - low.x >= most || high.y - low.y >= most)
+    if (high.x - low.x >= f32::widest_edged || high.y - low.y >= f32::widest_edged)
         return add_gaussian(splat.shape, splat.centre, splat.power_w, part);
     Part tile{low, Field<float>(high.x - low.x + 1, high.y - low.y + 1)};
     const auto& [x, y] = splat.edges;
@@ -202,8 +200,8 @@ void for_each_copy(const SplatFrame& f, const std::pair<glm::dvec2, glm::dvec2>&
     for (int axis = 0; axis < 2; ++axis) {
         const double period = f.period_m[axis];
         if (period == 0) continue;
-        // No farther than splats of some size reach: one that is wider than the map many times over is laid once.
-        const double most = std::min(reach, 4 * period);
+        // Light of a splat that is wider than three periods is thin, and what it has farther away is outside.
+        const double most = std::min(reach, period);
         low[axis] = static_cast<int>(std::ceil((map_box.first[axis] - most - at[axis]) / period));
         high[axis] = static_cast<int>(std::floor((map_box.second[axis] + most - at[axis]) / period));
     }
@@ -290,10 +288,9 @@ class Band {
 }  // namespace
 
 glm::dvec2 Splat::reach() const {
-    const double along = shape.along, leaning = shape.lean * shape.along, across = shape.across;
-    const glm::dvec2 deviation{along, std::sqrt(leaning * leaning + across * across)};
+    const double along = shape.along, across = shape.across + std::abs(shape.lean) * shape.along;
     return static_cast<double>(f32::splat_reach) *
-           (shape.transposed != 0 ? glm::dvec2{deviation.y, deviation.x} : deviation);
+           (shape.transposed != 0 ? glm::dvec2{across, along} : glm::dvec2{along, across});
 }
 
 Splat splat_of(const SplatOptions& options, const SplatFrame& frame, const SplatCloud& cloud, int k) {
