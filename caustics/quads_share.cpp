@@ -225,7 +225,7 @@ class QuadSharer::Band : public ChannelBand {
         const float* power = corners.power.row(j);
         const int base = frame_.rows.first + j;
         const bool on_rows = base + std::floor(corners.lowest[j]) >= 0 &&
-                             base + 1 + std::ceil(corners.highest[j]) <= static_cast<float>(frame_.map_height);
+                             base + std::ceil(corners.highest[j]) <= static_cast<float>(frame_.map_height);
         const Span inner = on_rows ? inner_columns(frame_) : Span{0, 0};
         surface_.read_counted(j, s_.counted);
         for (const Span outer : {Span{0, inner.begin}, Span{inner.end, frame_.columns.count}})

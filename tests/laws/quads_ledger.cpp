@@ -162,6 +162,24 @@ TEST(QuadsLedger, TheMapDoesNotDependOnTheNumberOfThreads) {
     }
 }
 
+TEST(QuadsLedger, NorWhereBandsBegin) {
+    const Grid pool = make_grid(128, 96, 4, 3);
+    const Surface surface = sample(pool, periodic, sines({{.02, 1, 0}, {.012, .5, 90}}));
+    FloorSettings s;
+    s.plan = cover(pool, 160, 120);
+    s.depth_m = 2;
+    s.sun = {50, 30, 1000};
+    omp_set_num_threads(1);
+    FloorMap one, many;
+    make_floor_quads(s)->compute(surface, one);
+    for (const int threads : {2, 3, 4, 7}) {
+        omp_set_num_threads(threads);
+        make_floor_quads(s)->compute(surface, many);
+        EXPECT_TRUE(std::ranges::equal(one.irradiance.values(), many.irradiance.values())) << threads;
+    }
+    omp_set_num_threads(omp_get_num_procs());
+}
+
 TEST(QuadsLedger, WhatIsNoNumberShowsWhereItIs) {
     Surface surface = sample(grid, {}, calm_sides());
     surface.slope_x(100, 90) = std::numeric_limits<float>::quiet_NaN();
