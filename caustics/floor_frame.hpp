@@ -64,8 +64,8 @@ void validate(const FloorSettings& settings);
 /// than an index can count.
 FloorFrame prepare(const FloorSettings& settings, const Surface& surface);
 
-/// The frame whose samples are the corners of those of `frame`, one more along each axis: corner (i, j) is the lower left
-/// of sample (i, j).
+/// The frame whose samples are the corners of those of `frame`, one more along each axis: corner (i, j) is the lower
+/// left of sample (i, j).
 FloorFrame corners_of(const FloorFrame& frame, const FloorSettings& settings, const Surface& surface);
 
 /// Where light enters that hits this place of the map (pixels) if the water is at rest.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "caustics/floor_collect.hpp"
+#include "caustics/object_shadows.hpp"
 
 namespace waterlight {
 
@@ -40,6 +41,26 @@ inline void sum_row(const SampleRowPowers& p, int count, RowLedger& row) {
     row.reflected += reflected;
     row.extinguished += extinguished;
     row.entered += entered;
+}
+
+/// Takes from a sample what objects stop of it, of the ledger as sum_row() filled it.
+inline void shade_sample(const f64::SampleShadow& shadow, double counted, double incident, double transmitted,
+                         double arrived, RowLedger& row) {
+    const f64::ShadedLight light = f64::shade(shadow, incident, transmitted, arrived);
+    row.reflected += counted * (light.reflected - (incident - transmitted));
+    row.extinguished += counted * (light.extinguished - (transmitted - arrived));
+    row.objects += counted * light.objects;
+    row.entered += (1 - counted) * (light.arrived - arrived);
+}
+
+/// The same for the samples of a row, and takes it from what arrives.
+inline void shade_row(std::span<const ShadowedSample> shadows, const SampleRowPowers& p, float* arrived,
+                      RowLedger& row) {
+    for (const ShadowedSample& s : shadows) {
+        const int i = s.column;
+        shade_sample(s.shadow, p.counted[i], p.incident[i], p.transmitted[i], arrived[i], row);
+        arrived[i] = static_cast<float>(f64::shade(s.shadow, 0, 0, arrived[i]).arrived);
+    }
 }
 
 /// All rows, of samples of this area; without what landed on the map.

@@ -26,7 +26,7 @@ FloorFrame frame_of(FloorSettings settings, const Surface& surface) {
 
 class FloorQuads final : public FloorMapper {
   public:
-    explicit FloorQuads(const FloorSettings& settings) : settings_(settings) {}
+    explicit FloorQuads(const FloorSettings& settings) : settings_(settings), shadows_(settings) {}
 
     std::string_view backend() const override { return "cpu"; }
 
@@ -36,7 +36,7 @@ class FloorQuads final : public FloorMapper {
             map.irradiance = Field<float>(frame.map_width, frame.map_height);
         map.window = {1, 1};
         std::vector<RowLedger> rows(frame.rows.count);
-        land_quads(frame, settings_, surface, landed_, rows);
+        land_quads(frame, settings_, surface, shadows_.cast(surface, frame), landed_, rows);
         const SurfaceRows reader(frame, surface);
         const double sum = sharer_.collect(frame, reader, landed_, map.irradiance, rows);
         map.ledger = total(rows, frame.pixel_area_m2);
@@ -45,6 +45,7 @@ class FloorQuads final : public FloorMapper {
 
   private:
     FloorSettings settings_;
+    ObjectShadows shadows_;
     LandedQuads landed_;
     QuadSharer sharer_;
 };

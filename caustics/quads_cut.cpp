@@ -1,5 +1,6 @@
 #include "caustics/quads_cut.hpp"
 
+#include "caustics/floor_row_ledger.hpp"
 #include "caustics/landed_corner.hpp"
 #include "caustics/polygon.hpp"
 #include "caustics/surface_point.hpp"
@@ -15,7 +16,8 @@ QuadCutter::QuadCutter(const FloorFrame& frame, const FloorSettings& settings, c
       surface_{surface.grid, surface.boundary, [&surface](glm::dvec2 at) { return surface_point(surface, at); }},
       caster_(settings, surface_) {}
 
-void QuadCutter::cut(glm::ivec2 base, double counted, std::vector<CutPiece>& pieces, RowLedger& row) const {
+void QuadCutter::cut(glm::ivec2 base, double counted, const f64::SampleShadow* shadow, std::vector<CutPiece>& pieces,
+                     RowLedger& row) const {
     Polygon water;
     for (const glm::dvec2 corner : {glm::dvec2{0, 0}, {1, 0}, {1, 1}, {0, 1}})
         water.add(entry_m(frame_, settings_, glm::dvec2(base) + corner));
@@ -33,12 +35,17 @@ void QuadCutter::cut(glm::ivec2 base, double counted, std::vector<CutPiece>& pie
     const double per_pixel = caster_.irradiance() / frame_.pixel_area_m2;
     for (int k = 1; k + 1 < water.count; ++k) {
         const TrianglePower power = triangle_power(landed[0], landed[k], landed[k + 1], caster_.direction());
-        pieces.push_back(
-            {{landed[0].pixel, landed[k].pixel, landed[k + 1].pixel}, per_pixel * power.arrived, counted});
-        row.incident += counted * per_pixel * power.incident;
-        row.reflected += counted * per_pixel * (power.incident - power.entered);
-        row.extinguished += counted * per_pixel * (power.entered - power.arrived);
-        row.entered += (1 - counted) * per_pixel * power.arrived;
+        const double incident = per_pixel * power.incident, entered = per_pixel * power.entered;
+        double arrived = per_pixel * power.arrived;
+        row.incident += counted * incident;
+        row.reflected += counted * (incident - entered);
+        row.extinguished += counted * (entered - arrived);
+        row.entered += (1 - counted) * arrived;
+        if (shadow != nullptr) {
+            shade_sample(*shadow, counted, incident, entered, arrived, row);
+            arrived = f64::shade(*shadow, incident, entered, arrived).arrived;
+        }
+        pieces.push_back({{landed[0].pixel, landed[k].pixel, landed[k + 1].pixel}, arrived, counted});
     }
 }
 

@@ -14,8 +14,10 @@ class QuadCutter {
 
     /// Whether there are walls.
     bool cuts() const { return walls_.x || walls_.y; }
-    /// Adds the pieces of the quad of a base pixel, and their light to the ledger as if it fell on the map.
-    void cut(glm::ivec2 base, double counted, std::vector<CutPiece>& pieces, RowLedger& row) const;
+    /// Adds the pieces of the quad of a base pixel, and their light to the ledger as if it fell on the map. `shadow`:
+    /// what objects stop, if anything.
+    void cut(glm::ivec2 base, double counted, const f64::SampleShadow* shadow, std::vector<CutPiece>& pieces,
+             RowLedger& row) const;
 
   private:
     const FloorFrame& frame_;

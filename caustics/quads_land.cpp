@@ -100,8 +100,10 @@ void fill_quads(const QuadSun& sun, const CornerRow& low, const CornerRow& high,
 
 class QuadLander {
   public:
-    QuadLander(const FloorFrame& frame, const FloorSettings& settings, const Surface& surface)
+    QuadLander(const FloorFrame& frame, const FloorSettings& settings, const Surface& surface,
+               const ShadowRows& shadows)
         : frame_(frame),
+          shadows_(shadows),
           corners_(corners_of(frame, settings, surface)),
           quad_rows_(frame_, surface),
           corner_rows_(corners_, surface),
@@ -123,12 +125,15 @@ class QuadLander {
             land_row(j + 1, scratch, high);
             reach = glm::max(reach, reach_of(high));
             landed.corners.lowest[j] = std::min(low.lowest, high.lowest);
-            landed.corners.highest[j] = std::max(low.highest, high.highest);
+            // Two rows more: a block of pixels may reach beyond its quad, and get what rounding gives.
+            landed.corners.highest[j] = std::max(low.highest, high.highest) + 2;
             read_parts(j, quads, landed.pieces[j], ledger[j]);
             float* arrived = landed.corners.power.row(j);
             fill_quads(sun_, low, high, quads, arrived);
-            sum_row({quads.counted.data(), quads.incident.data(), quads.transmitted.data(), arrived},
-                    frame_.columns.count, ledger[j]);
+            const SampleRowPowers powers{quads.counted.data(), quads.incident.data(), quads.transmitted.data(),
+                                         arrived};
+            sum_row(powers, frame_.columns.count, ledger[j]);
+            shade_row(shadows_.row(j), powers, arrived, ledger[j]);
         }
         if (end == frame_.rows.count) keep(high, end, landed);
         return reach;
@@ -157,12 +162,14 @@ class QuadLander {
         for (int i = 0; i < frame_.columns.count; ++i) {
             if (quads.lit[i] >= all) continue;
             if (quads.lit[i] > 0)
-                cutter_.cut({frame_.columns.first + i, frame_.rows.first + j}, quads.counted[i], pieces, row);
+                cutter_.cut({frame_.columns.first + i, frame_.rows.first + j}, quads.counted[i], shadows_.of(i, j),
+                            pieces, row);
             quads.lit[i] = 0;
         }
     }
 
     const FloorFrame& frame_;
+    const ShadowRows& shadows_;
     FloorFrame corners_;
     SurfaceRows quad_rows_, corner_rows_;
     QuadSun sun_;
@@ -171,9 +178,9 @@ class QuadLander {
 
 }  // namespace
 
-void land_quads(FloorFrame& frame, const FloorSettings& settings, const Surface& surface, LandedQuads& landed,
-                std::vector<RowLedger>& ledger) {
-    const QuadLander lander(frame, settings, surface);
+void land_quads(FloorFrame& frame, const FloorSettings& settings, const Surface& surface, const ShadowRows& shadows,
+                LandedQuads& landed, std::vector<RowLedger>& ledger) {
+    const QuadLander lander(frame, settings, surface, shadows);
     landed.corners.resize(lander.corners());
     landed.pieces.resize(frame.rows.count);
     glm::vec2 reach{0, 0};

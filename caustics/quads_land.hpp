@@ -6,6 +6,7 @@
 
 #include "caustics/floor_collect.hpp"
 #include "caustics/floor_frame.hpp"
+#include "caustics/object_shadows.hpp"
 
 namespace waterlight {
 
@@ -16,15 +17,15 @@ struct CutPiece {
     double counted = 1;               ///< the part that the ledger counts
 };
 
-/// Quad (i, j) of the frame has corners (i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1). Corner (i, j) lands at base pixel
-/// (i, j) + displacement.
+/// Quad (i, j) of the frame has corners (i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1). Corner (i, j) lands at base
+/// pixel (i, j) + displacement.
 struct LandedQuads {
-    LandedSamples corners;  ///< `power` is the quads'; `lowest` and `highest` are of rows of quads, as bases see them
+    LandedSamples corners;                      ///< `power` is the quads'; `lowest` and `highest` are of rows of quads
     std::vector<std::vector<CutPiece>> pieces;  ///< of each row of quads; their quads have no power
 };
 
 /// Lands them, with the ledger as if all light fell on the map. Widens the frame's window where it does not hold all.
-void land_quads(FloorFrame& frame, const FloorSettings& settings, const Surface& surface, LandedQuads& landed,
-                std::vector<RowLedger>& ledger);
+void land_quads(FloorFrame& frame, const FloorSettings& settings, const Surface& surface, const ShadowRows& shadows,
+                LandedQuads& landed, std::vector<RowLedger>& ledger);
 
 }  // namespace waterlight

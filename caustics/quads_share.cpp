@@ -53,8 +53,7 @@ void share_triangle(const std::array<glm::dvec2, 3>& t, const PixelRange& range,
     const glm::dvec2 low = glm::min(t[0], glm::min(t[1], t[2])), high = glm::max(t[0], glm::max(t[1], t[2]));
     const glm::dvec2 span = high - low;
     constexpr double large = 64;  // pixels: from here on only those of interest are looked at
-    if (span.x < large && span.y < large && std::abs(low.x) < 1e9 && std::abs(low.y) < 1e9)
-        return exact.share(t, take);
+    if (span.x < large && span.y < large && std::abs(low.x) < 1e9 && std::abs(low.y) < 1e9) return exact.share(t, take);
     const double area = waterlight::area(Polygon{{t[0], t[1], t[2]}, 3});
     rasterise(t, range.low, range.high,
               [&](int column, int row, double overlap) { take(column, row, overlap / std::abs(area)); });
@@ -114,8 +113,8 @@ class QuadSharer::Band : public ChannelBand {
     PixelRange band_range() const { return {{0, begin_}, {frame_.map_width, end_}}; }
     PixelRange map_range() const { return {{0, 0}, {frame_.map_width, frame_.map_height}}; }
 
-    /// Shares out those quads of a part of a row that are within two by two pixels; the others are left over, and have no
-    /// shares.
+    /// Shares out those quads of a part of a row that are within two by two pixels; the others are left over, and have
+    /// no shares.
     void share_small(const QuadCorners& quads, const float* __restrict power, int j, Span span) {
         const float* __restrict x_low = quads.x_low + span.begin;
         const float* __restrict y_low = quads.y_low + span.begin;
@@ -133,8 +132,8 @@ class QuadSharer::Band : public ChannelBand {
         unsigned char* __restrict left_over = s_.left_over.data();
 #pragma GCC ivdep
         for (int i = 0; i < count; ++i) {
-            f32::real2 a(x_low[i], y_low[i]), b(1 + x_low[i + 1], y_low[i + 1]), c(1 + x_high[i + 1], 1 + y_high[i + 1]),
-                d(x_high[i], 1 + y_high[i]);
+            f32::real2 a(x_low[i], y_low[i]), b(1 + x_low[i + 1], y_low[i + 1]),
+                c(1 + x_high[i + 1], 1 + y_high[i + 1]), d(x_high[i], 1 + y_high[i]);
             const float left = f32::min(f32::min(a.x, b.x), f32::min(c.x, d.x));
             const float right = f32::max(f32::max(a.x, b.x), f32::max(c.x, d.x));
             const float bottom = f32::min(f32::min(a.y, b.y), f32::min(c.y, d.y));
@@ -150,8 +149,8 @@ class QuadSharer::Band : public ChannelBand {
             const auto moved = [&](f32::real2 p) { return f32::real2(p.x - low_x, p.y - low_y); };
             const f32::FourParts parts = f32::parts_in_four(moved(a), moved(b), moved(c), moved(d), area);
             left_over[i] = !small & !(power[i] == 0);
-            pixel[i] = ring.pixel(first_column + i + static_cast<int>(low_x), row_from_oldest + static_cast<int>(low_y),
-                                  rows);
+            pixel[i] =
+                ring.pixel(first_column + i + static_cast<int>(low_x), row_from_oldest + static_cast<int>(low_y), rows);
             shares[4 * i] = small ? power[i] * parts.low_left : 0;
             shares[4 * i + 1] = small ? power[i] * parts.low_right : 0;
             shares[4 * i + 2] = small ? power[i] * parts.high_left : 0;
@@ -166,7 +165,8 @@ class QuadSharer::Band : public ChannelBand {
         const glm::dvec2 high = glm::max(glm::max(q[0], q[1]), glm::max(q[2], q[3]));
         if (!(high.x - low.x < 1e9 && high.y - low.y < 1e9 && std::abs(low.x) < 1e9 && std::abs(low.y) < 1e9))
             return put(base.x, base.y, power);  // not a number: it shows where it should have been
-        if (base.y + high.y < begin_ - 1 || base.y + low.y > end_ || base.x + high.x < 0 ||
+        // By the map, not by the band: where in its batch a quad is would show in the last digit.
+        if (base.y + high.y < 0 || base.y + low.y > frame_.map_height || base.x + high.x < 0 ||
             base.x + low.x > frame_.map_width)
             return;
         const glm::dvec2 first = glm::floor(low);
@@ -187,9 +187,8 @@ class QuadSharer::Band : public ChannelBand {
         PixelRange range = band_range();
         range.low -= base;
         range.high -= base;
-        share_quad(q, range, s_.exact, [&](int column, int row, double share) {
-            put(base.x + column, base.y + row, share * power);
-        });
+        share_quad(q, range, s_.exact,
+                   [&](int column, int row, double share) { put(base.x + column, base.y + row, share * power); });
     }
 
     void add_nine() {
@@ -226,13 +225,12 @@ class QuadSharer::Band : public ChannelBand {
         const float* power = corners.power.row(j);
         const int base = frame_.rows.first + j;
         const bool on_rows = base + std::floor(corners.lowest[j]) >= 0 &&
-                             base + 1 + std::ceil(corners.highest[j]) <= static_cast<float>(frame_.map_height);
+                             base + std::ceil(corners.highest[j]) <= static_cast<float>(frame_.map_height);
         const Span inner = on_rows ? inner_columns(frame_) : Span{0, 0};
         surface_.read_counted(j, s_.counted);
         for (const Span outer : {Span{0, inner.begin}, Span{inner.end, frame_.columns.count}})
             for (int i = outer.begin; i < outer.end; ++i)
-                if (power[i] > 0)
-                    take(s_.counted[i], power[i], on_map(quads.at(i), {frame_.columns.first + i, base}));
+                if (power[i] > 0) take(s_.counted[i], power[i], on_map(quads.at(i), {frame_.columns.first + i, base}));
         for (const CutPiece& piece : landed_.pieces[j]) take(piece.counted, piece.power, on_map(piece.pixel));
     }
 

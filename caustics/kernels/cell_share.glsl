@@ -56,6 +56,19 @@ KERNEL CornerAreas areas_under(real2 a, real2 b) {
     return areas;
 }
 
+// Of a quadrangle, corners in order; times `each`.
+KERNEL CornerAreas corner_areas(real2 a, real2 b, real2 c, real2 d, real each) {
+    CornerAreas ab = areas_under(a, b);
+    CornerAreas bc = areas_under(b, c);
+    CornerAreas cd = areas_under(c, d);
+    CornerAreas da = areas_under(d, a);
+    CornerAreas sum;
+    sum.left = each * ((ab.left + bc.left) + (cd.left + da.left));
+    sum.bottom = each * ((ab.bottom + bc.bottom) + (cd.bottom + da.bottom));
+    sum.corner = each * ((ab.corner + bc.corner) + (cd.corner + da.corner));
+    return sum;
+}
+
 // The parts of a quadrangle, corners in order, in the four cells of [0, 2] x [0, 2], which holds it; `area` is its
 // signed area. None is negative, and they add up to 1.
 struct FourParts {
@@ -66,15 +79,10 @@ struct FourParts {
 };
 
 KERNEL FourParts parts_in_four(real2 a, real2 b, real2 c, real2 d, real area) {
-    CornerAreas ab = areas_under(a, b);
-    CornerAreas bc = areas_under(b, c);
-    CornerAreas cd = areas_under(c, d);
-    CornerAreas da = areas_under(d, a);
-    real each = real(1) / area;
-    real left = clamp(each * ((ab.left + bc.left) + (cd.left + da.left)), real(0), real(1));
-    real bottom = clamp(each * ((ab.bottom + bc.bottom) + (cd.bottom + da.bottom)), real(0), real(1));
-    real corner = clamp(each * ((ab.corner + bc.corner) + (cd.corner + da.corner)), max(real(0), left + bottom - real(1)),
-                        min(left, bottom));
+    CornerAreas parts_of = corner_areas(a, b, c, d, real(1) / area);
+    real left = clamp(parts_of.left, real(0), real(1));
+    real bottom = clamp(parts_of.bottom, real(0), real(1));
+    real corner = clamp(parts_of.corner, max(real(0), left + bottom - real(1)), min(left, bottom));
     FourParts parts;
     parts.low_left = corner;
     parts.low_right = bottom - corner;

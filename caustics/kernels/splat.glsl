@@ -147,10 +147,14 @@ KERNEL NormalAt normal_at(real x) {
     return n;
 }
 
-// Below x of a splat, which ends at its reach: 0 there, and 1.
+// Of a standard normal distribution that is cut off at the splats' reach.
+KERNEL real within_reach(real below) {
+    const real cut = real(1.5910859e-4);  // what lies below -3.6
+    return clamp((below - cut) * (real(1) / (real(1) - real(2) * cut)), real(0), real(1));
+}
+
 KERNEL real splat_below(real x) {
-    const real cut = real(1.5910859e-4);  // of a normal distribution below -3.6
-    return clamp((normal_at(x).below - cut) * (real(1) / (real(1) - real(2) * cut)), real(0), real(1));
+    return within_reach(normal_at(x).below);
 }
 
 // Of a splat's light what lies between two places on its longer axis, in standard deviations from its centre, and the
@@ -161,22 +165,60 @@ struct SplatLine {
     real deviation;  // pixels
 };
 
-KERNEL SplatLine splat_line(SplatShape s, real low, real high) {
-    low = clamp(low, -splat_reach, splat_reach);
-    high = clamp(high, -splat_reach, splat_reach);
-    NormalAt l = normal_at(low);
-    NormalAt h = normal_at(high);
-    real part = h.below - l.below;
+// The places are within the splat's reach.
+KERNEL SplatLine splat_line(SplatShape s, real low, NormalAt at_low, real high, NormalAt at_high) {
+    real part = at_high.below - at_low.below;
     SplatLine line;
-    line.share = max(real(0), splat_below(high) - splat_below(low));
+    line.share = max(real(0), within_reach(at_high.below) - within_reach(at_low.below));
     // Mean and variance between the two; where hardly anything is, of the middle.
     bool thin = part < real(1e-5);
     real over = real(1) / (thin ? real(1) : part);
-    real mean = thin ? real(0.5) * (low + high) : clamp((l.density - h.density) * over, low, high);
-    real spread = thin ? real(0)
-                       : clamp(real(1) + (low * l.density - high * h.density) * over - mean * mean, real(0), real(1));
+    real mean = thin ? real(0.5) * (low + high) : clamp((at_low.density - at_high.density) * over, low, high);
+    real spread = real(1) + (low * at_low.density - high * at_high.density) * over - mean * mean;
     real leaning = s.lean * s.along;
     line.middle = leaning * mean;
-    line.deviation = sqrt(s.across * s.across + leaning * leaning * spread);
+    line.deviation = sqrt(s.across * s.across + leaning * leaning * (thin ? real(0) : clamp(spread, real(0), real(1))));
     return line;
+}
+
+// The share of a splat's light in the pixel whose lower corner is so far from its centre.
+KERNEL real splat_in_pixel(SplatShape s, real2 corner) {
+    real along = s.transposed > real(0.5) ? corner.y : corner.x;
+    real across = s.transposed > real(0.5) ? corner.x : corner.y;
+    real low = clamp(along / s.along, -splat_reach, splat_reach);
+    real high = clamp((along + real(1)) / s.along, -splat_reach, splat_reach);
+    SplatLine line = splat_line(s, low, normal_at(low), high, normal_at(high));
+    real from = (across - line.middle) / line.deviation;
+    return line.share * (splat_below(from + real(1) / line.deviation) - splat_below(from));
+}
+
+// Where the lattice ends, at a wall, its light ends along a line. What a splat near it has beyond is laid on this side, as
+// a mirror would: else there would be a dark seam. Only of splats up to so many pixels wide and high.
+const int widest_edged = 48;
+
+struct SplatEdge {
+    real2 mirrored;  // from the splat's centre to that of its mirror image
+    real2 normal;    // unit, towards the light; 0: no edge
+    real inside;     // how far the splat's centre is from the edge
+};
+
+// `to_edge` leads from the splat's centre to a place on the edge, `mirrored` to its mirror image; `b` is by how much the
+// landing moves from vertex to vertex along the edge, `a` across it, times -1 where the lattice ends at its high side.
+KERNEL SplatEdge splat_edge(real2 a, real2 b, real2 to_edge, real2 mirrored) {
+    SplatEdge e;
+    real across = a.x * b.y - a.y * b.x;
+    real square = dot(b, b);
+    // Where light lands on a line there is no saying which side is which.
+    bool none = across * across <= real(1e-6) * square * dot(a, a);
+    real scale = (none ? real(0) : (across < real(0) ? real(-1) : real(1))) / sqrt(max(square, real(1e-12)));
+    e.normal = real2(b.y * scale, -b.x * scale);
+    e.inside = -dot(e.normal, to_edge);
+    e.mirrored = mirrored;
+    return e;
+}
+
+// The part of a pixel on this side of the edge; `middle` is its middle from the splat's centre.
+KERNEL real inside_edge(SplatEdge e, real2 middle) {
+    real width = abs(e.normal.x) + abs(e.normal.y);
+    return width > real(0) ? clamp(real(0.5) + (dot(e.normal, middle) + e.inside) / width, real(0), real(1)) : real(1);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "caustics/objects/repeated_objects.hpp"
 #include "caustics/photons/photon_starts.hpp"
 
 namespace waterlight {
@@ -41,6 +42,28 @@ void add(const FloorLedger& from, FloorLedger& to) {
     to.entered_w += from.entered_w;
 }
 
+/// What of the objects is in the domain, those that periodic sides bring in among them, where they are at the time.
+std::shared_ptr<const ObjectSet> within(std::shared_ptr<const ObjectSet> set, const Surface& surface) {
+    const PhotonDomain domain(surface);
+    if (!set || set->empty() || !(domain.periodic(0) || domain.periodic(1))) return set;
+    const RepeatedObjects repeated(set, surface.time_s, surface.grid, surface.boundary);
+    std::vector<Object> all;
+    bool moved = false;
+    for (int k = 0; k < repeated.placed().count(); ++k) {
+        const auto [first, last] = repeated.shifts(k, domain.low_m, domain.low_m + domain.size_m);
+        for (int j = first.y; j <= last.y; ++j)
+            for (int i = first.x; i <= last.x; ++i) {
+                Object object = repeated.placed().object(k);
+                object.centre_m =
+                    object.centre_at(surface.time_s) + glm::dvec3(glm::dvec2(i, j) * repeated.period_m(), 0);
+                object.path.clear();
+                all.push_back(std::move(object));
+                moved = moved || i != 0 || j != 0;
+            }
+    }
+    return moved ? std::make_shared<const ObjectSet>(std::move(all)) : set;
+}
+
 }  // namespace
 
 std::unique_ptr<PhotonTracer> make_scene_tracer(const PhotonSettings& settings, const WaterScene& scene) {
@@ -59,7 +82,7 @@ WaterScene make_photon_scene(const PhotonSettings& settings, const Surface& surf
                        .bed_m = settings.bed_m,
                        .optics = floor.optics,
                        .wavelength_nm = floor.wavelength_nm,
-                       .objects = floor.objects,
+                       .objects = within(floor.objects, surface),
                        .still_beyond_m = std::max({0.0, over.x, over.y}) + far},
                       surface);
 }

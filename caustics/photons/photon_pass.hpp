@@ -21,7 +21,8 @@ class PhotonTracer {
 /// Through all that `scene` holds. What it is given must outlive it.
 std::unique_ptr<PhotonTracer> make_scene_tracer(const PhotonSettings& settings, const WaterScene& scene);
 
-/// The scene of these settings, with as much still water beyond absorbing sides as light may come through.
+/// The scene of these settings, with what periodic sides bring in of its objects, and with as much still water beyond
+/// absorbing sides as light may come through.
 WaterScene make_photon_scene(const PhotonSettings& settings, const Surface& surface);
 
 /// What is added to a pixel.

@@ -149,9 +149,10 @@ bool PhotonFollower::sets_out(const SceneHit& hit, PhotonPath& path, PhotonTally
 bool PhotonFollower::step(const SceneHit& hit, PhotonPath& path, PhotonRandom& random, PhotonTally& tally) const {
     FloorLedger& ledger = tally.ledger;
     if (hit.what == What::nothing) {
-        // Within glass that is never left: a seam that rounding has opened.
-        const bool out = path.way.inside<0, up = path.way.ray.direction.z> 0;
-        count(!out ? ledger.lost_w : up ? ledger.reflected_w : ledger.outside_w, path.power_w, path.own);
+        const bool up = path.way.ray.direction.z > 0;
+        double& row = path.way.inside >= 0 ? ledger.lost_w  // a seam that rounding has opened in glass
+                                           : (up ? ledger.reflected_w : ledger.outside_w);
+        count(row, path.power_w, path.own);
         return false;
     }
     fade(hit, path, tally);
@@ -183,7 +184,10 @@ void PhotonFollower::fade(const SceneHit& hit, PhotonPath& path, PhotonTally& ta
 
 void PhotonFollower::land(const SceneHit& hit, const PhotonPath& path, PhotonTally& tally) const {
     const glm::dvec3 at = path.way.ray.at(hit.distance_m);
-    if (domain_.is_beyond_wall(glm::dvec2(at))) return count(tally.ledger.outside_w, path.power_w, path.own);
+    // Where ground ends at a side, light may come in beneath it.
+    const bool from_below = glm::dot(path.way.ray.direction, hit.normal) > 0;
+    if (from_below || domain_.is_beyond_wall(glm::dvec2(at)) || has_slipped(hit, path.way))
+        return count(tally.ledger.outside_w, path.power_w, path.own);
     tally.landings.push_back({at, hit.normal, path.power_w, -1, path.own});
 }
 

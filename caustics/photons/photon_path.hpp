@@ -62,8 +62,8 @@ struct PhotonDomain {
 
 /// Light that objects or water meet first is counted where that happens: all of it over the domain and on objects is
 /// incident, what meets the water beyond an absorbing side is counted only if it lands on the map, the rest is none of
-/// ours. Above the water periodic sides lead round as they do below it. Objects are met where they are, not what of
-/// them would come in again by a periodic side.
+/// ours. Above the water periodic sides lead round as they do below it. What of an object stands beyond a periodic side
+/// is met only by light that goes through it: the scene is to hold the object again where it comes in.
 class PhotonFollower {
   public:
     /// `scene` must outlive it.

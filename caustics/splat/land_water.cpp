@@ -16,19 +16,10 @@ SplitPlace split(double place) {
     return part >= 1 ? SplitPlace{static_cast<int>(whole) + 1, 0} : SplitPlace{static_cast<int>(whole), part};
 }
 
-/// How SurfaceRows is told where the vertices are.
-FloorFrame rows_frame(const VertexLattice& l, const Grid& g) {
-    FloorFrame f;
-    f.columns = {l.first.x, l.count.x};
-    f.rows = {l.first.y, l.count.y};
-    for (int i = 0; i < l.count.x; ++i)
-        f.column_x.push_back(split((l.place_m({l.first.x + i, 0}).x - g.x_m(0)) / g.dx_m));
-    for (int j = 0; j < l.count.y; ++j) f.row_y.push_back(split((l.place_m({0, l.first.y + j}).y - g.y_m(0)) / g.dy_m));
-    f.column_y.resize(f.column_x.size());
-    f.row_x.resize(f.row_y.size());
-    f.half_width_x = static_cast<float>(0.5 * l.spacing_m.x / g.dx_m);
-    f.half_width_y = static_cast<float>(0.5 * l.spacing_m.y / g.dy_m);
-    return f;
+/// Where a vertex beyond a wall reads the water that is mirrored there.
+int mirrored(int vertex, int count, Side side) {
+    if (side != Side::wall) return vertex;
+    return std::clamp(vertex < 0 ? -1 - vertex : (vertex >= count ? 2 * count - 1 - vertex : vertex), 0, count - 1);
 }
 
 f32::SplatLight single(const f64::SplatLight& l) {
@@ -38,28 +29,14 @@ f32::SplatLight single(const f64::SplatLight& l) {
             static_cast<float>(l.cosine)};
 }
 
-/// By how much light moves at most on its way down, along each axis: where it enters still water, or waves that climb.
-std::pair<glm::dvec2, glm::dvec2> shifts(const SplatSettings& s, const SplatFrame& frame, const Surface& surface) {
-    const double level = frame.light.image.level;
-    const auto highest = static_cast<double>(*std::ranges::max_element(surface.elevation.values()));
-    if (!s.lamp && surface.tilt == glm::dvec2{0, 0}) {
-        const glm::dvec2 still =
-            -level * f64::refract_sun(frame.light.image.source, {0, 0}, frame.index, frame.fresnel).travel;
-        return {glm::min(still, glm::dvec2{0, 0}), glm::max(still, glm::dvec2{0, 0})};
-    }
-    // From the steepest water, or from where a lamp's light is most slanting.
-    double most = 0;
-    const auto consider = [&](glm::dvec3 direction, glm::dvec2 slope) {
-        most = std::max(most, glm::length(f64::refract_sun(direction, slope, frame.index, frame.fresnel).travel));
+void mirror_slopes(const VertexLattice& l, Boundary sides, int j, SampleRow& water) {
+    const auto beyond = [](int vertex, int count, Side side) {
+        return side == Side::wall && (vertex < 0 || vertex >= count);
     };
-    const auto [low, high] = box_about(frame.plan);
-    const auto light = [&](glm::dvec2 at) { return f64::light_at(frame.light, {at, 0}).direction; };
-    for (const glm::dvec2 corner : {low, {high.x, low.y}, high, {low.x, high.y}}) consider(light(corner), {0, 0});
-    if (surface.tilt != glm::dvec2{0, 0})
-        for (std::size_t k = 0; k < surface.slope_x.size(); ++k)
-            consider(light({0, 0}), {surface.slope_x.values()[k], surface.slope_y.values()[k]});
-    const double reach = most * (highest - level);
-    return {glm::dvec2{-reach, -reach}, glm::dvec2{reach, reach}};
+    for (int i = 0; i < l.count.x; ++i)
+        if (beyond(l.first.x + i, l.domain.x, sides.x)) water.slope_x[i] *= -1;
+    if (!beyond(l.first.y + j, l.domain.y, sides.y)) return;
+    for (float& slope : water.slope_y) slope *= -1;
 }
 
 /// Vertices of a row before they land.
@@ -93,12 +70,32 @@ void enter(const f32::SplatLight& light, const SplatFrame& frame, const std::vec
 
 }  // namespace
 
+FloorFrame vertex_rows(const VertexLattice& l, const Grid& g, Boundary sides) {
+    FloorFrame f;
+    f.columns = {l.first.x, l.count.x};
+    f.rows = {l.first.y, l.count.y};
+    for (int i = 0; i < l.count.x; ++i)
+        f.column_x.push_back(
+            split((l.place_m({mirrored(l.first.x + i, l.domain.x, sides.x), 0}).x - g.x_m(0)) / g.dx_m));
+    for (int j = 0; j < l.count.y; ++j)
+        f.row_y.push_back(split((l.place_m({0, mirrored(l.first.y + j, l.domain.y, sides.y)}).y - g.y_m(0)) / g.dy_m));
+    f.column_y.resize(f.column_x.size());
+    f.row_x.resize(f.row_y.size());
+    f.half_width_x = static_cast<float>(0.5 * l.spacing_m.x / g.dx_m);
+    f.half_width_y = static_cast<float>(0.5 * l.spacing_m.y / g.dy_m);
+    return f;
+}
+
+void widen_to_water(const SplatSettings& settings, SplatFrame& frame, const Surface& surface) {
+    const glm::dvec2 corner = frame.lattice.corner_m, size{surface.grid.width_m(), surface.grid.height_m()};
+    widen_lattice(frame, surface, light_shifts(settings, frame, surface), {corner, corner + size});
+}
+
 SplatCloud land_water(const SplatSettings& settings, SplatFrame& frame, const Receivers& receivers,
                       const Surface& surface) {
-    const auto [low, high] = shifts(settings, frame, surface);
-    widen_lattice(frame, surface, low, high);
+    widen_to_water(settings, frame, surface);
     const VertexLattice& l = frame.lattice;
-    const FloorFrame rows = rows_frame(l, surface.grid);
+    const FloorFrame rows = vertex_rows(l, surface.grid, surface.boundary);
     const SurfaceRows reader(rows, surface);
     const Lander lander(settings, frame, receivers);
     const f32::SplatLight light = single(frame.light);
@@ -125,12 +122,13 @@ SplatCloud land_water(const SplatSettings& settings, SplatFrame& frame, const Re
         for (int j = 0; j < l.count.y; ++j) {
             const glm::dvec2 first = l.place_m({l.first.x, l.first.y + j});
             reader.read(j, scratch, water);
+            mirror_slopes(l, surface.boundary, j, water);
             enter(light, frame, place_x, static_cast<float>(first.y), water, row);
             FlightAccount& account = accounts[static_cast<std::size_t>(j)];
             for (int i = 0; i < l.count.x; ++i) {
                 const std::size_t k =
                     static_cast<std::size_t>(j) * static_cast<std::size_t>(l.count.x) + static_cast<std::size_t>(i);
-                const bool rim = i == 0 || j == 0 || i == l.count.x - 1 || j == l.count.y - 1;
+                const bool rim = std::min({i, j, l.count.x - 1 - i, l.count.y - 1 - j}) < vertex_rim;
                 const bool own = l.in_domain(l.first + glm::ivec2{i, j});
                 const double incident = rim ? 0 : area * row.incident[i],
                              transmitted = rim ? 0 : area * row.transmitted[i];

@@ -18,11 +18,16 @@ void FlightAccount::add(const FlightAccount& o) {
     step2_m2 += o.step2_m2;
 }
 
+SplatReport FlightAccount::summed_report() const {
+    SplatReport all = report;
+    const std::int64_t landed = report.vertices - report.missed;
+    all.last_step_m = landed > 0 ? std::sqrt(step2_m2 / static_cast<double>(landed)) : 0;
+    return all;
+}
+
 void FlightAccount::finish(SplatCloud& cloud) const {
     cloud.ledger = ledger;
-    cloud.report = report;
-    const std::int64_t landed = report.vertices - report.missed;
-    cloud.report.last_step_m = landed > 0 ? std::sqrt(step2_m2 / static_cast<double>(landed)) : 0;
+    cloud.report = summed_report();
 }
 
 Arrival Lander::operator()(const Flight& f, FlightAccount& account) const {

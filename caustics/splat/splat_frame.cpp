@@ -82,10 +82,13 @@ SplatFrame splat_frame(const SplatSettings& s, const Surface& surface) {
     f.pixel_area_m2 = f.plan.pitch_m.x * f.plan.pitch_m.y;
     f.pixel_m = std::min(f.plan.pitch_m.x, f.plan.pitch_m.y);
     f.period_m = {surface.boundary.x == Side::periodic ? size.x : 0, surface.boundary.y == Side::periodic ? size.y : 0};
+    // Of a lamp no light comes in over periodic sides.
+    const auto ends = [&](Side side) { return side == Side::wall || (side == Side::periodic && s.lamp); };
+    f.ends = {ends(surface.boundary.x), ends(surface.boundary.y)};
     return f;
 }
 
-std::pair<glm::dvec2, glm::dvec2> box_about(const FloorPlan& plan) {
+BoxM box_about(const FloorPlan& plan) {
     glm::dvec2 low = plan.position_m({0, 0}), high = low;
     for (const glm::dvec2 corner : {glm::dvec2{plan.width, 0}, {plan.width, plan.height}, {0, plan.height}}) {
         const glm::dvec2 at = plan.position_m(corner);
@@ -95,20 +98,45 @@ std::pair<glm::dvec2, glm::dvec2> box_about(const FloorPlan& plan) {
     return {low, high};
 }
 
-void widen_lattice(SplatFrame& frame, const Surface& surface, glm::dvec2 low_m, glm::dvec2 high_m) {
-    constexpr int ring = 1, margin = 6;  // vertices: for differences; whose splats reach the map from beside it
+BoxM light_shifts(const SplatSettings& s, const SplatFrame& frame, const Surface& surface) {
+    const double level = frame.light.image.level;
+    const auto highest = static_cast<double>(*std::ranges::max_element(surface.elevation.values()));
+    if (!s.lamp && surface.tilt == glm::dvec2{0, 0}) {
+        const glm::dvec2 still =
+            -level * f64::refract_sun(frame.light.image.source, {0, 0}, frame.index, frame.fresnel).travel;
+        return {glm::min(still, glm::dvec2{0, 0}), glm::max(still, glm::dvec2{0, 0})};
+    }
+    // From the steepest water, or from where a lamp's light is most slanting.
+    double most = 0;
+    const auto consider = [&](glm::dvec3 direction, glm::dvec2 slope) {
+        most = std::max(most, glm::length(f64::refract_sun(direction, slope, frame.index, frame.fresnel).travel));
+    };
+    const auto [low, high] = box_about(frame.plan);
+    const auto light = [&](glm::dvec2 at) { return f64::light_at(frame.light, {at, 0}).direction; };
+    for (const glm::dvec2 corner : {low, {high.x, low.y}, high, {low.x, high.y}}) consider(light(corner), {0, 0});
+    if (surface.tilt != glm::dvec2{0, 0})
+        for (std::size_t k = 0; k < surface.slope_x.size(); ++k)
+            consider(light({0, 0}), {surface.slope_x.values()[k], surface.slope_y.values()[k]});
+    const double reach = most * (highest - level);
+    return {glm::dvec2{-reach, -reach}, glm::dvec2{reach, reach}};
+}
+
+void widen_lattice(SplatFrame& frame, const Surface& surface, const BoxM& shifts_m, const BoxM& lit_m) {
+    constexpr int margin = 6;  // whose splats reach the map from beside it
     VertexLattice& l = frame.lattice;
     const auto [map_low, map_high] = box_about(frame.plan);
     std::int64_t vertices = 1;
     for (int axis = 0; axis < 2; ++axis) {
         const Side side = axis == 0 ? surface.boundary.x : surface.boundary.y;
         const bool climbs = surface.tilt[axis] != 0;
-        double low = 0, high = l.domain[axis];
-        if (side == Side::periodic && climbs) frame.period_m[axis] = 0;
-        if (side == Side::absorbing || (side == Side::periodic && climbs)) {
-            const auto vertex = [&](double at_m) { return (at_m - l.corner_m[axis]) / l.spacing_m[axis]; };
-            low = std::min(low, std::floor(vertex(map_low[axis] - high_m[axis])) - margin);
-            high = std::max(high, std::ceil(vertex(map_high[axis] - low_m[axis])) + margin);
+        constexpr double rounding = 1e-6;  // of a vertex
+        const auto vertex = [&](double at_m) { return (at_m - l.corner_m[axis]) / l.spacing_m[axis]; };
+        double low = std::min(0.0, std::floor(vertex(lit_m.first[axis]) + rounding));
+        double high = std::max<double>(l.domain[axis], std::ceil(vertex(lit_m.second[axis]) - rounding));
+        if (side == Side::periodic && climbs && !frame.ends[axis]) frame.period_m[axis] = 0;
+        if (side == Side::absorbing || (side == Side::periodic && climbs && !frame.ends[axis])) {
+            low = std::min(low, std::floor(vertex(map_low[axis] - shifts_m.second[axis])) - margin);
+            high = std::max(high, std::ceil(vertex(map_high[axis] - shifts_m.first[axis])) + margin);
         }
         constexpr double most = 1 << 20;  // along an axis
         if (!(low > -most && high < most))
@@ -116,8 +144,8 @@ void widen_lattice(SplatFrame& frame, const Surface& surface, glm::dvec2 low_m, 
                 fmt::format("splats: light comes from {:.0f} vertices beside the domain; allowed: at most 2^20. Give a "
                             "smaller grid, or a map that is nearer to the domain",
                             std::max(-low, high - l.domain[axis])));
-        l.first[axis] = static_cast<int>(low) - ring;
-        l.count[axis] = static_cast<int>(high - low) + 2 * ring;
+        l.first[axis] = static_cast<int>(low) - vertex_rim;
+        l.count[axis] = static_cast<int>(high - low) + 2 * vertex_rim;
         vertices *= l.count[axis];
     }
     if (vertices > (std::int64_t{1} << 30))

@@ -21,6 +21,9 @@ struct VertexLattice {
     double area_m2() const { return spacing_m.x * spacing_m.y; }
 };
 
+/// So many vertices on each side of what is followed have no light: for differences, and as mirror images at walls.
+inline constexpr int vertex_rim = 4;
+
 struct SplatFrame {
     f64::SplatLight light;
     VertexLattice lattice;
@@ -28,8 +31,9 @@ struct SplatFrame {
     FloorPlan plan;
     glm::dmat2 to_pixels{1};  ///< of metres on the floor
     double pixel_area_m2 = 1;
-    double pixel_m = 1;         ///< its shorter side
-    glm::dvec2 period_m{0, 0};  ///< after which what lands repeats; 0: it does not
+    double pixel_m = 1;             ///< its shorter side
+    glm::bvec2 ends{false, false};  ///< whether the lattice's light ends with the domain
+    glm::dvec2 period_m{0, 0};      ///< after which what lands repeats; 0: it does not
 };
 
 /// Throws InputError where a setting is out of its range.
@@ -38,14 +42,19 @@ void validate(const SplatSettings& settings);
 /// The lattice is that of the domain, which whoever captures vertices widens.
 SplatFrame splat_frame(const SplatSettings& settings, const Surface& surface);
 
-/// The vertices of the domain, and beside it those whose light may land on the map where there is water: beyond
-/// absorbing sides, and beyond periodic ones that the surface climbs over (else its light wraps). One more on each side
-/// for differences. Light moves at most from low_m to high_m on its way down. Throws InputError where they are too
-/// many.
-void widen_lattice(SplatFrame& frame, const Surface& surface, glm::dvec2 low_m, glm::dvec2 high_m);
+using BoxM = std::pair<glm::dvec2, glm::dvec2>;  ///< low and high corner
+
+/// By how much light moves at least and at most on its way down along each axis: where it enters still water, or waves
+/// that climb.
+BoxM light_shifts(const SplatSettings& settings, const SplatFrame& frame, const Surface& surface);
+
+/// The vertices of `lit`, and beside them those whose light may land on the map where there is water: beyond absorbing
+/// sides, and beyond periodic ones that the surface climbs over (else its light wraps). Around all, the rim. Throws
+/// InputError where they are too many.
+void widen_lattice(SplatFrame& frame, const Surface& surface, const BoxM& shifts_m, const BoxM& lit_m);
 
 /// The corners of the box about the map in the domain's directions.
-std::pair<glm::dvec2, glm::dvec2> box_about(const FloorPlan& plan);
+BoxM box_about(const FloorPlan& plan);
 
 /// The level of the light's image: the floor, or the lowest ground.
 double image_level_m(const SplatSettings& settings);

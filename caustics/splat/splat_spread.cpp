@@ -8,10 +8,11 @@ namespace waterlight {
 namespace {
 
 constexpr int lanes = 8;
+using Lanes = std::array<float, lanes>;
 
-/// Part of the map: its rows [first_row, first_row + rows).
+/// A rectangle of the map's pixels.
 struct Part {
-    int first_row = 0;
+    glm::ivec2 first{0, 0};
     Field<float> power_w;
 };
 
@@ -20,67 +21,173 @@ struct CellSpan {
     int first = 0, end = 0;
 };
 
-CellSpan cells_within(float middle, float half, int from, int to) {
-    const auto cell = [&](float x) { return static_cast<int>(std::floor(std::clamp(x, -1e9F, 1e9F))); };
-    return {std::max(from, cell(middle - half)), std::min(to, cell(middle + half) + 1)};
+CellSpan cells_within(float middle, float half, CellSpan limits) {
+    const auto cell = [](float x) { return static_cast<int>(std::floor(std::clamp(x, -1e9F, 1e9F))); };
+    return {std::max(limits.first, cell(middle - half)), std::min(limits.end, cell(middle + half) + 1)};
 }
 
-/// Adds a part of a splat's light along one line of cells, `stride` apart; returns how much of it lies there.
-float add_line(const f32::SplatLine& line, float middle, float power, CellSpan limits, float* to,
-               std::ptrdiff_t stride) {
-    const CellSpan cells = cells_within(middle, f32::splat_reach * line.deviation, limits.first, limits.end);
-    const float per = 1 / line.deviation;
+/// Adds a line of a splat to cells `stride` apart; returns how much it adds.
+float add_line(float middle, float deviation, float power, CellSpan limits, float* to, std::ptrdiff_t stride) {
+    const CellSpan cells = cells_within(middle, f32::splat_reach * deviation, limits);
+    const float per = 1 / deviation;
     float laid = 0;
     for (int begin = cells.first; begin < cells.end; begin += lanes - 1) {
-        float below[lanes];
-#pragma GCC ivdep
-        for (int k = 0; k < lanes; ++k) below[k] = f32::splat_below((static_cast<float>(begin + k) - middle) * per);
+        Lanes below;
+        const float from = static_cast<float>(begin) - middle;
+        for (int k = 0; k < lanes; ++k) below[k] = power * f32::splat_below((from + static_cast<float>(k)) * per);
         const int count = std::min(lanes - 1, cells.end - begin);
-        for (int k = 0; k < count; ++k) to[(begin + k) * stride] += power * (below[k + 1] - below[k]);
-        laid += power * (below[count] - below[0]);
+        for (int k = 0; k < count; ++k) to[(begin + k) * stride] += below[k + 1] - below[k];
+        laid += below[count] - below[0];
     }
     return laid;
 }
 
-/// Adds a splat to a part of the map. Returns the part of its light that lies there.
-float add_splat(const Splat& splat, Part& part) {
+/// The lines of a splat between `lanes` places one pixel apart.
+struct Lines {
+    Lanes place, density, below;
+
+    Lines(float from, float per) {
+        for (int k = 0; k < lanes; ++k) {
+            place[k] = std::clamp((from + static_cast<float>(k)) * per, -f32::splat_reach, f32::splat_reach);
+            const f32::NormalAt n = f32::normal_at(place[k]);
+            density[k] = n.density;
+            below[k] = n.below;
+        }
+    }
+    f32::SplatLine line(const f32::SplatShape& shape, int k) const {
+        return f32::splat_line(shape, place[k], {density[k], below[k]}, place[k + 1], {density[k + 1], below[k + 1]});
+    }
+};
+
+/// Adds a splat about `at` to a part of the map. Returns how much of its light lies there, W.
+float add_gaussian(const f32::SplatShape& s, glm::dvec2 at, float power, Part& part) {
     const int width = part.power_w.nx();
     // About the cell of the centre, so that floats hold the rest.
-    const glm::dvec2 cell = glm::floor(splat.centre);
-    const glm::vec2 centre(splat.centre - cell);
-    const glm::ivec2 base(cell);
-    const CellSpan columns{-base.x, width - base.x},
-        rows{part.first_row - base.y, part.first_row + part.power_w.ny() - base.y};
-    float* origin = part.power_w.data() + (static_cast<std::ptrdiff_t>(base.y - part.first_row) * width + base.x);
-    const f32::SplatShape& s = splat.shape;
+    const glm::dvec2 cell = glm::floor(at);
+    const glm::vec2 centre(at - cell);
+    const glm::ivec2 base = glm::ivec2(cell) - part.first;
+    const CellSpan columns{-base.x, width - base.x}, rows{-base.y, part.power_w.ny() - base.y};
+    float* origin = part.power_w.data() + (static_cast<std::ptrdiff_t>(base.y) * width + base.x);
     const bool upright = s.transposed != 0;
     const float major = upright ? centre.y : centre.x, minor = upright ? centre.x : centre.y;
-    const CellSpan along = upright ? rows : columns, across = upright ? columns : rows;
+    const CellSpan across = upright ? columns : rows;
     const std::ptrdiff_t major_stride = upright ? width : 1, minor_stride = upright ? 1 : width;
-    const CellSpan cells = cells_within(major, f32::splat_reach * s.along, along.first, along.end);
+    const CellSpan cells = cells_within(major, f32::splat_reach * s.along, upright ? rows : columns);
     const float per = 1 / s.along;
     float laid = 0;
-    for (int c = cells.first; c < cells.end; ++c) {
-        const float low = (static_cast<float>(c) - major) * per;
-        const f32::SplatLine line = f32::splat_line(s, low, low + per);
-        laid += line.share *
-                add_line(line, minor + line.middle, splat.power_w * line.share, across, origin + c * major_stride,
-                         minor_stride) /
-                std::max(splat.power_w * line.share, 1e-30F);
+    for (int begin = cells.first; begin < cells.end; begin += lanes - 1) {
+        const Lines lines(static_cast<float>(begin) - major, per);
+        const int count = std::min(lanes - 1, cells.end - begin);
+        for (int k = 0; k < count; ++k) {
+            const f32::SplatLine line = lines.line(s, k);
+            laid += add_line(minor + line.middle, line.deviation, power * line.share, across,
+                             origin + (begin + k) * major_stride, minor_stride);
+        }
     }
     return laid;
 }
 
-glm::dvec2 difference(const SplatCloud& c, glm::dvec2 at, int before, int after, glm::dvec2 step, glm::dvec2& bend) {
-    const auto landed = [&](int k) { return k >= 0 && std::isfinite(c.pixel[k].x) && std::isfinite(c.pixel[k].y); };
-    bend = {0, 0};
-    const bool has_before = landed(before), has_after = landed(after);
-    if (has_before && has_after) {
-        bend = c.pixel[after] - 2.0 * at + c.pixel[before];
-        return 0.5 * (c.pixel[after] - c.pixel[before]);
+/// A splat near an edge of the lattice: what lies beyond is mirrored.
+float add_edged(const Splat& splat, Part& part) {
+    const glm::dvec2 reach = splat.reach();
+    const glm::ivec2 low(glm::floor(splat.centre - reach)), high(glm::floor(splat.centre + reach));
+    if (high.x - low.x >= f32::widest_edged || high.y - low.y >= f32::widest_edged)
+        return add_gaussian(splat.shape, splat.centre, splat.power_w, part);
+    Part tile{low, Field<float>(high.x - low.x + 1, high.y - low.y + 1)};
+    const auto& [x, y] = splat.edges;
+    const auto is = [](const f32::SplatEdge& e) { return e.normal != glm::vec2{0, 0}; };
+    const auto add = [&](glm::vec2 by) {
+        add_gaussian(splat.shape, splat.centre + glm::dvec2(by), splat.power_w, tile);
+    };
+    add({0, 0});
+    if (is(x)) add(x.mirrored);
+    if (is(y)) add(y.mirrored);
+    if (is(x) && is(y)) add(x.mirrored + y.mirrored);
+    double sum = 0;
+    for (int j = 0; j < tile.power_w.ny(); ++j)
+        for (int i = 0; i < tile.power_w.nx(); ++i) {
+            const glm::vec2 middle(glm::dvec2(low) + glm::dvec2(i + 0.5, j + 0.5) - splat.centre);
+            tile.power_w(i, j) *= f32::inside_edge(x, middle) * f32::inside_edge(y, middle);
+            sum += tile.power_w(i, j);
+        }
+    if (!(sum > 0)) return add_gaussian(splat.shape, splat.centre, splat.power_w, part);
+    const float scale = splat.power_w / static_cast<float>(sum);
+    float laid = 0;
+    for (int j = std::max(low.y, part.first.y); j <= std::min(high.y, part.first.y + part.power_w.ny() - 1); ++j)
+        for (int i = std::max(low.x, part.first.x); i <= std::min(high.x, part.first.x + part.power_w.nx() - 1); ++i) {
+            const float power = scale * tile.power_w(i - low.x, j - low.y);
+            part.power_w(i - part.first.x, j - part.first.y) += power;
+            laid += power;
+        }
+    return laid;
+}
+
+float add_splat(const Splat& splat, Part& part) {
+    return splat.near_edge ? add_edged(splat, part) : add_gaussian(splat.shape, splat.centre, splat.power_w, part);
+}
+
+/// First and second difference along one axis of the lattice, pixels.
+struct Difference {
+    glm::dvec2 first{0, 0}, second{0, 0};
+};
+
+/// Of the landing of vertex k between two others (-1: none); `step` where it has none.
+Difference difference(const SplatCloud& c, int k, int before, int after, glm::dvec2 step) {
+    const auto landed = [&](int n) { return n >= 0 && std::isfinite(c.pixel[n].x) && std::isfinite(c.pixel[n].y); };
+    const glm::dvec2 at = c.pixel[k];
+    if (landed(before) && landed(after)) {
+        const glm::dvec2 low = at - c.pixel[before], high = c.pixel[after] - at;
+        // Objects have edges, across which light jumps: then the footprint is that of the side without.
+        const double l = glm::length(low), h = glm::length(high);
+        const bool jumps = c.columns == 0 && std::max(l, h) > 3 * (std::min(l, h) + glm::length(step));
+        if (jumps) return {l < h ? low : high, {0, 0}};
+        return {0.5 * (low + high), high - low};
     }
-    if (has_before) return at - c.pixel[before];
-    return has_after ? c.pixel[after] - at : step;
+    if (landed(before)) return {at - c.pixel[before], {0, 0}};
+    return {landed(after) ? c.pixel[after] - at : step, {0, 0}};
+}
+
+/// How many vertices lie between one and the end of its lattice, which is behind it (< 0: before it); 0 where that is
+/// too far for its splat to feel.
+float away_from_end(bool ends, int vertex, int count) {
+    const float behind = static_cast<float>(vertex) + 0.5F, before = static_cast<float>(count - vertex) - 0.5F;
+    const float nearest = behind <= before ? behind : -before;
+    return ends && std::abs(nearest) < f32::splat_reach * f32::splat_deviation ? nearest : 0;
+}
+
+/// From a vertex of a lattice to the next along an axis.
+int step_along(const SplatCloud& cloud, int axis) { return axis == 0 ? 1 : cloud.columns; }
+
+/// How the landing changes along one of the lattice's axes (0 or 1), and along the other.
+struct Change {
+    int axis;
+    glm::vec2 a, b;
+};
+
+f32::SplatEdge edge_of(const SplatFrame& frame, const SplatCloud& cloud, const Splat& splat, int k, const Change& by) {
+    const VertexLattice& l = frame.lattice;
+    const bool lattice = cloud.columns > 0;
+    const glm::ivec2 vertex = lattice ? l.first + glm::ivec2{k % cloud.columns, k / cloud.columns}
+                                      : cloud.vertex[static_cast<std::size_t>(k)];
+    const float away = away_from_end(frame.ends[by.axis], vertex[by.axis], l.domain[by.axis]);
+    if (away == 0) return {};
+    const float sign = away > 0 ? 1.0F : -1.0F;
+    // By the landing of vertices beyond the edge, of the water's mirror image; else by differences.
+    glm::vec2 to_edge = -away * by.a - splat.shape.shift, mirrored = -2 * away * by.a;
+    if (lattice) {
+        const int step = away > 0 ? -step_along(cloud, by.axis) : step_along(cloud, by.axis);
+        const int last = k + static_cast<int>(std::abs(away)) * step;
+        const auto at = [&](int n) { return cloud.pixel[static_cast<std::size_t>(n)]; };
+        const glm::dvec2 edge = (9.0 * (at(last) + at(last + step)) - (at(last - step) + at(last + 2 * step))) / 16.0;
+        to_edge = glm::vec2(edge - splat.centre);
+        const int image = last + (last - k) + step;
+        const double half_variance = 0.5 * f32::splat_deviation * f32::splat_deviation;
+        const int across = step_along(cloud, 1 - by.axis);
+        const glm::dvec2 bend =
+            at(image - step) + at(image + step) + at(image - across) + at(image + across) - 4.0 * at(image);
+        mirrored = glm::vec2(at(image) + half_variance * bend - splat.centre);
+    }
+    return f32::splat_edge(sign * by.a, by.b, to_edge, mirrored);
 }
 
 /// Copies of a splat to places on the map, where what lands repeats.
@@ -93,8 +200,8 @@ void for_each_copy(const SplatFrame& f, const std::pair<glm::dvec2, glm::dvec2>&
     for (int axis = 0; axis < 2; ++axis) {
         const double period = f.period_m[axis];
         if (period == 0) continue;
-        // No farther than splats of some size reach: one that is wider than the map many times over is laid once.
-        const double most = std::min(reach, 4 * period);
+        // Light of a splat that is wider than three periods is thin, and what it has farther away is outside.
+        const double most = std::min(reach, period);
         low[axis] = static_cast<int>(std::ceil((map_box.first[axis] - most - at[axis]) / period));
         high[axis] = static_cast<int>(std::floor((map_box.second[axis] + most - at[axis]) / period));
     }
@@ -123,7 +230,7 @@ class Band {
         double lowest = 1e300, highest = -1e300;
         for (int k = begin; k < end; ++k) {
             if (!(cloud.power_w[k] > 0)) continue;
-            const Splat splat = splat_of(options, cloud, k);
+            const Splat splat = splat_of(options, frame, cloud, k);
             const std::size_t before = splats_.size();
             for_each_copy(frame, box, splat, [&](const Splat& copy) {
                 const double reach = copy.reach().y;
@@ -134,16 +241,16 @@ class Band {
             if (splats_.size() == before) count_beside(k, 1);
         }
         const double height = frame.plan.height;
-        part_.first_row = static_cast<int>(std::floor(std::clamp(lowest, 0.0, height)));
+        part_.first.y = static_cast<int>(std::floor(std::clamp(lowest, 0.0, height)));
         const int end_row = static_cast<int>(std::ceil(std::clamp(highest + 1, 0.0, height)));
-        part_.power_w = Field<float>(frame.plan.width, std::max(0, end_row - part_.first_row));
+        part_.power_w = Field<float>(frame.plan.width, std::max(0, end_row - part_.first.y));
         lay();
     }
 
     void add_to(Field<double>& power_w, FloorLedger& ledger) const {
         for (int j = 0; j < part_.power_w.ny(); ++j) {
             const float* __restrict from = part_.power_w.row(j);
-            double* __restrict to = power_w.row(part_.first_row + j);
+            double* __restrict to = power_w.row(part_.first.y + j);
             for (int i = 0; i < power_w.nx(); ++i) to[i] += from[i];
         }
         ledger.outside_w += outside_w_;
@@ -156,7 +263,7 @@ class Band {
             const int vertex = splats_[n].vertex;
             double laid = 0;
             for (; n < splats_.size() && splats_[n].vertex == vertex; ++n) laid += add_splat(splats_[n].splat, part_);
-            count_beside(vertex, 1 - laid);
+            count_beside(vertex, 1 - laid / cloud_.power_w[vertex]);
         }
     }
 
@@ -181,24 +288,29 @@ class Band {
 }  // namespace
 
 glm::dvec2 Splat::reach() const {
-    const double along = shape.along, leaning = shape.lean * shape.along, across = shape.across;
-    const glm::dvec2 deviation{along, std::sqrt(leaning * leaning + across * across)};
+    const double along = shape.along, across = shape.across + std::abs(shape.lean) * shape.along;
     return static_cast<double>(f32::splat_reach) *
-           (shape.transposed != 0 ? glm::dvec2{deviation.y, deviation.x} : deviation);
+           (shape.transposed != 0 ? glm::dvec2{across, along} : glm::dvec2{along, across});
 }
 
-Splat splat_of(const SplatOptions& options, const SplatCloud& cloud, int k) {
+Splat splat_of(const SplatOptions& options, const SplatFrame& frame, const SplatCloud& cloud, int k) {
     const glm::dvec2 at = cloud.pixel[k];
-    const auto power = static_cast<float>(cloud.power_w[k]);
-    if (options.size == SplatOptions::Size::fixed)
-        return {at, f32::round_splat(static_cast<float>(options.radius_pixels)), power};
+    Splat splat{at, {}, static_cast<float>(cloud.power_w[k])};
+    if (options.size == SplatOptions::Size::fixed) {
+        splat.shape = f32::round_splat(static_cast<float>(options.radius_pixels));
+        return splat;
+    }
     const glm::ivec4 n = cloud.columns > 0 ? glm::ivec4{k - 1, k + 1, k - cloud.columns, k + cloud.columns}
                                            : cloud.neighbours[static_cast<std::size_t>(k)];
-    glm::dvec2 bend_a, bend_b;
-    const glm::dvec2 a = difference(cloud, at, n[0], n[1], cloud.step_x, bend_a);
-    const glm::dvec2 b = difference(cloud, at, n[2], n[3], cloud.step_y, bend_b);
-    const f32::SplatShape shape = f32::landed_splat(glm::vec2(a), glm::vec2(b), glm::vec2(bend_a), glm::vec2(bend_b));
-    return {at + glm::dvec2(shape.shift), shape, power};
+    const Difference by_x = difference(cloud, k, n[0], n[1], cloud.step_x);
+    const Difference by_y = difference(cloud, k, n[2], n[3], cloud.step_y);
+    const glm::vec2 a(by_x.first), b(by_y.first);
+    splat.shape = f32::landed_splat(a, b, glm::vec2(by_x.second), glm::vec2(by_y.second));
+    splat.centre += glm::dvec2(splat.shape.shift);
+    splat.edges[0] = edge_of(frame, cloud, splat, k, {0, a, b});
+    splat.edges[1] = edge_of(frame, cloud, splat, k, {1, b, a});
+    splat.near_edge = splat.edges[0].normal != glm::vec2{0, 0} || splat.edges[1].normal != glm::vec2{0, 0};
+    return splat;
 }
 
 void spread(const SplatOptions& options, const SplatFrame& frame, SplatCloud& cloud, Field<double>& power_w) {

@@ -47,8 +47,8 @@ void count(benchmark::State& state, const FloorScene& scene, const FloorMap& map
     const double light = map.ledger.incident_w - map.ledger.reflected_w;
     state.counters["lost_percent"] = 100 * map.ledger.lost_w / light;
     state.counters["rmse_percent"] = rmse_percent(scene, map);
-    state.counters["pixels_per_s"] = benchmark::Counter(static_cast<double>(map.irradiance.size()),
-                                                        benchmark::Counter::kIsIterationInvariantRate);
+    state.counters["pixels_per_s"] =
+        benchmark::Counter(static_cast<double>(map.irradiance.size()), benchmark::Counter::kIsIterationInvariantRate);
 }
 
 static void floor_two_pass(benchmark::State& state, FloorCase c, Footprint footprint, const MakeMapper& make) {
