@@ -26,11 +26,12 @@ void report_abilities() {
 
 Which to choose:
 
-- **waves on water, whatever the depth and resolution: two-pass, `adaptive`**, the default: below it is the fastest at
-  every error but the largest, where `pixel` is. More samples a pixel before more pixels where edges must be sharp.
+- **waves on water: two-pass, `adaptive`**, the default: below it is the fastest to an error of one per cent and less at
+  every resolution, and nearly so to larger ones. More samples a pixel before more pixels where edges must be sharp.
 - **quads** where no light may be lost or laid twice at a fold, and as a check of the two-pass map by another road.
-- **splat** where lamps, glass and mirrors must be followed without noise. On waves before their first focus `jacobian` is the most
-  accurate of all at one sample a pixel, and slow.
+- **splat** where lamps, glass and mirrors must be followed without noise: under the cups below it comes to half the
+  photons' error in as much time. On waves before their first focus `jacobian` is the most accurate of all at one sample a
+  pixel, and slow.
 - **photons** for everything: edges and corners of glass, light that meets the water from below. Its noise
   falls to a half or less with each doubling of the photons along an axis: take `passes` until its own estimate is as asked.
   A blur hides noise and widens every edge: on sharp caustics it does more harm than good.

@@ -177,8 +177,8 @@ void report_cups(const Options& options) {
 ## Glass: five cups and a ring
 
 Five cups of glass, n = 1.5, one of them upside down, and a mirror ring on a plane without water, under the sun and a spot.
-Photons and splats follow light through them; both are compared with a long run of photons. "Three bounces" means three walls of
-glass here, and each wall is two interfaces: light may meet {} of them, the last of which is the plane's own. (The number
+Photons and splats follow light through them; both are compared with a long run of photons. "Three bounces" means three walls
+of glass here, and each wall is two interfaces: light may meet {} of them, the last of which is the plane's own. (The number
 that a ray tracer counts, generations of rays, would end light within the second wall of a cup.) Map of {} x {} pixels, no
 blur. The long run is of {} passes of {} squared for each light, {:.0f} million photons in {:.0f} s; its two halves say that
 its own error is {}.
@@ -191,10 +191,10 @@ its own error is {}.
     const Field<float>& exact = both;
     std::vector<ColourImage> pictures;
     const glm::ivec2 size = quick ? glm::ivec2{120, 90} : glm::ivec2{448, 320};
-    accuracy::print_heads({"photon map", "s", "RMSE", "RMSE in 4 x 4", "light - 1", "lost"});
+    accuracy::print_heads({"map", "s", "RMSE", "RMSE in 4 x 4", "light - 1", "lost"});
     for (const int map : quick ? std::vector<int>{64, 128} : std::vector<int>{512, 1024, 2048}) {
         const LitMap one = lit(table, map, 1);
-        print_map(fmt::format("{} squared", map), one, exact);
+        print_map(fmt::format("photons, {} squared", map), one, exact);
         if (!options.pictures.empty()) {
             pictures.push_back(picture_of(table, one.both, size));
             write_file(fmt::format("{}/cups_{}.png", options.pictures, map), encode_png(pictures.back()));
