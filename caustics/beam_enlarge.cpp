@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "caustics/beam_picture.hpp"
 #include "caustics/beam_view.hpp"
 #include "caustics/water_box.hpp"
 
@@ -14,9 +15,10 @@ namespace waterlight {
 namespace {
 
 /// Way of a camera's rays through the water, m, by pixel.
-Field<float> ways(const BeamImageSettings& settings, const Camera& camera, const WaterBox& box) {
-    const Field<float> reach =
-        settings.ground ? ground_reach(camera, *settings.ground, settings.range_m) : Field<float>();
+Field<float> ways(BeamImageSettings settings, const Camera& camera, const Beams& beams) {
+    settings.camera = camera;
+    const WaterBox box(beams, Viewpoint(camera).eye_m);
+    const Field<float> reach = picture_reach(settings, beams);
     const ViewRays rays(Viewpoint(camera).rays);
     Field<float> way(camera.size.x, camera.size.y);
 #pragma omp parallel for schedule(static)
@@ -73,9 +75,8 @@ Camera reduced(const Camera& camera, int reduction) {
 }
 
 void enlarge(const BeamImageSettings& settings, const Beams& beams, const Field<float>& coarse, Field<float>& picture) {
-    const WaterBox box(beams, Viewpoint(settings.camera).eye_m);
-    const Field<float> own = ways(settings, settings.camera, box),
-                       of_coarse = ways(settings, reduced(settings.camera, settings.reduction), box);
+    const Field<float> own = ways(settings, settings.camera, beams),
+                       of_coarse = ways(settings, reduced(settings.camera, settings.reduction), beams);
     const std::vector<Place> column = places(picture.nx(), coarse.nx(), settings.reduction);
     const std::vector<Place> row = places(picture.ny(), coarse.ny(), settings.reduction);
 #pragma omp parallel for schedule(static)

@@ -60,12 +60,12 @@ std::vector<std::vector<CellCopy>> sort_into_strips(const std::vector<ShownCell>
 }
 
 template <class PhaseFunction>
-void draw(const BeamImageSettings& s, const Beams& beams, const PhaseFunction& phase, BeamImage& image) {
+void draw(const BeamImageSettings& s, const Beams& beams, const Field<float>& reach, const PhaseFunction& phase,
+          BeamImage& image) {
     const glm::ivec2 size = s.camera.size;
     const int strips = (size.x + BeamStrip::columns - 1) / BeamStrip::columns;
     const std::vector<ShownCell> shown = shown_cells(s, beams);
     const std::vector<std::vector<CellCopy>> in_strip = sort_into_strips(shown, strips);
-    const Field<float> reach = ground_reach(s);
     std::int64_t sections = 0, covered = 0;
 #pragma omp parallel reduction(+ : sections, covered)
     {
@@ -80,13 +80,13 @@ void draw(const BeamImageSettings& s, const Beams& beams, const PhaseFunction& p
     image.counts = {2 * static_cast<std::int64_t>(shown.size()), covered, sections};
 }
 
-void draw(const BeamImageSettings& settings, const Beams& beams, BeamImage& image) {
+void draw(const BeamImageSettings& settings, const Beams& beams, const Field<float>& reach, BeamImage& image) {
     resize(settings, image);
     const Phase& phase = settings.optics.phase;
     if (phase.type == Phase::Type::henyey_greenstein)
-        draw(settings, beams, HenyeyGreenstein{static_cast<float>(phase.g)}, image);
+        draw(settings, beams, reach, HenyeyGreenstein{static_cast<float>(phase.g)}, image);
     else
-        draw(settings, beams, PhaseTable(phase), image);
+        draw(settings, beams, reach, PhaseTable(phase), image);
 }
 
 }  // namespace
@@ -94,7 +94,11 @@ void draw(const BeamImageSettings& settings, const Beams& beams, BeamImage& imag
 void draw_beams(const BeamImageSettings& settings, const Beams& beams, BeamImage& image) {
     validate(settings, beams);
     draw_reduced(
-        settings, beams, [&](const BeamImageSettings& all, BeamImage& out) { draw(all, beams, out); }, image);
+        settings, beams,
+        [](const BeamImageSettings& all, const Beams& some, const Field<float>& reach, BeamImage& out) {
+            draw(all, some, reach, out);
+        },
+        image);
 }
 
 }  // namespace waterlight

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "caustics/beams.hpp"
@@ -17,6 +18,8 @@ struct BeamImageSettings {
     int reduction = 1;     ///< draws one ray of so many each way and enlarges; 1 draws all
     double range_m = 100;  ///< how far the camera sees; to there periodic sides repeat the beams, > 0
     std::optional<PictureGround> ground;  ///< none: a flat floor
+    /// Hide what is behind them, and are dark: rays end there. Placed by the beams' time, repeated as the beams are.
+    std::shared_ptr<const ObjectSet> objects;
 };
 
 /// What a picture took.

@@ -121,10 +121,9 @@ struct BeamImageVulkan::Impl {
         return *raster;
     }
 
-    /// Draws without reduction.
-    void draw(const BeamImageSettings& s, const Beams& b, BeamImage& image) {
+    /// Draws without reduction; adds to the times.
+    void draw(const BeamImageSettings& s, const Beams& b, const Field<float>& ways, BeamImage& image) {
         const bool tabulated = s.optics.phase.type != Phase::Type::henyey_greenstein;
-        const Field<float> ways = ground_reach(s);
         const glm::ivec2 size = s.camera.size;
         const auto width = static_cast<std::uint32_t>(size.x), height = static_cast<std::uint32_t>(size.y);
         if (!target || target->width() != width || target->height() != height) target.emplace(context, width, height);
@@ -139,7 +138,6 @@ struct BeamImageVulkan::Impl {
         record(s, b, make_light({tabulated, !ends_level(b), !ways.empty()}));
         commands.run();
         read(s, image);
-        times = {{"cells", 0}, {"light", 0}};
         for (const gpu::Timing& t : commands.timings()) times[t.pass == "cells" ? 0 : 1].seconds += t.seconds;
     }
 
@@ -177,8 +175,13 @@ BeamImageVulkan::~BeamImageVulkan() = default;
 
 void BeamImageVulkan::draw(const BeamImageSettings& settings, const Beams& beams, BeamImage& image) {
     validate(settings, beams);
+    impl_->times = {{"cells", 0}, {"light", 0}};
     draw_reduced(
-        settings, beams, [&](const BeamImageSettings& all, BeamImage& out) { impl_->draw(all, beams, out); }, image);
+        settings, beams,
+        [&](const BeamImageSettings& all, const Beams& some, const Field<float>& reach, BeamImage& out) {
+            impl_->draw(all, some, reach, out);
+        },
+        image);
 }
 
 const std::vector<StageTime>& BeamImageVulkan::stage_times() const { return impl_->times; }

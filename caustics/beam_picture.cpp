@@ -8,6 +8,7 @@
 
 #include "caustics/beam_enlarge.hpp"
 #include "caustics/beam_outline.hpp"
+#include "caustics/objects/repeated_objects.hpp"
 #include "sim/error.hpp"
 
 namespace waterlight {
@@ -26,9 +27,9 @@ struct Copies {
 };
 
 /// The box of all beams, relative to the eye.
-struct Box {
+struct AllBeams {
     glm::vec3 low{std::numeric_limits<float>::max()}, high{std::numeric_limits<float>::lowest()};
-    Box(const Beams& b, glm::dvec3 eye) {
+    AllBeams(const Beams& b, glm::dvec3 eye) {
         for (std::size_t i = 0; i < b.z.size(); ++i) {
             const glm::vec3 top{b.x.data()[i], b.y.data()[i], b.z.data()[i]};
             const float descent = std::max(0.0F, top.z - b.end_z.data()[i]);
@@ -70,6 +71,53 @@ void validate(const BeamImageSettings& s, const Beams& beams) {
         throw InputError("camera: the beams were made for another extinction");
 }
 
+namespace {
+
+/// Objects in the world of the beams, for rays of a picture.
+class SeenObjects {
+  public:
+    SeenObjects(const BeamImageSettings& s, const Beams& beams)
+        : objects_(s.objects, beams.time_s, beams.domain, beams.boundary), mirrored_(beams.mirrored) {}
+
+    /// What a ray meets first; places and directions of the beams' world.
+    std::optional<ObjectHit> first_hit(glm::dvec3 from, glm::dvec3 direction, double farthest) const {
+        return objects_.first_hit(
+            {.from_m = world(from), .direction = world(direction), .nearest_m = 0, .farthest_m = farthest});
+    }
+    /// Whether a place is within an object: whatever a ray from there meets first, it leaves.
+    const Object* around(glm::dvec3 place, double farthest) const {
+        const glm::dvec3 up{0, 0, 1};
+        const auto hit = first_hit(place, up, farthest);
+        return hit && glm::dot(world(up), hit->normal) > 0 ? &objects_.placed().object(hit->object) : nullptr;
+    }
+
+  private:
+    glm::dvec3 world(glm::dvec3 v) const { return mirrored_ ? Camera::flipped(v) : v; }
+
+    RepeatedObjects objects_;
+    bool mirrored_;
+};
+
+/// The t at which each pixel's ray first meets an object before the range, else that of the range.
+Field<float> object_reach(const BeamImageSettings& s, const Beams& beams) {
+    const Viewpoint view(s.camera);
+    const SeenObjects objects(s, beams);
+    if (const Object* around = objects.around(view.eye_m, s.range_m))
+        throw InputError(fmt::format("camera: it stands in the object \"{}\"; outside of objects", around->name));
+    Field<float> reach(s.camera.size.x, s.camera.size.y);
+#pragma omp parallel for schedule(dynamic, 4)
+    for (int j = 0; j < s.camera.size.y; ++j)
+        for (int i = 0; i < s.camera.size.x; ++i) {
+            const glm::dvec3 r = view.rays.at(i, j);
+            const double length = glm::length(r);
+            const auto hit = objects.first_hit(view.eye_m, r / length, s.range_m);
+            reach(i, j) = static_cast<float>((hit ? hit->distance_m : s.range_m) / length);
+        }
+    return reach;
+}
+
+}  // namespace
+
 bool in_range(std::span<const glm::vec3, 8> corners, double range_m) {
     glm::vec3 low = corners[0], high = corners[0];
     for (const glm::vec3& p : corners) {
@@ -84,7 +132,7 @@ bool in_range(std::span<const glm::vec3, 8> corners, double range_m) {
 std::vector<glm::vec2> copies_in_sight(const BeamImageSettings& s, const Beams& beams) {
     const Viewpoint view(s.camera);
     const Grid& g = beams.domain;
-    const Box whole(beams, view.eye_m);
+    const AllBeams whole(beams, view.eye_m);
     const Copies along_x(beams.boundary.x, g.x0_m, g.width_m(), view.eye_m.x, s.range_m);
     const Copies along_y(beams.boundary.y, g.y0_m, g.height_m(), view.eye_m.y, s.range_m);
     std::vector<glm::vec2> shifts;
@@ -99,8 +147,13 @@ std::vector<glm::vec2> copies_in_sight(const BeamImageSettings& s, const Beams& 
     return shifts;
 }
 
-Field<float> ground_reach(const BeamImageSettings& s) {
-    return s.ground ? ground_reach(s.camera, *s.ground, s.range_m) : Field<float>();
+Field<float> picture_reach(const BeamImageSettings& s, const Beams& beams) {
+    Field<float> reach = s.ground ? ground_reach(s.camera, *s.ground, s.range_m) : Field<float>();
+    if (!s.objects || s.objects->empty()) return reach;
+    Field<float> to_objects = object_reach(s, beams);
+    for (std::size_t i = 0; i < reach.size(); ++i)
+        to_objects.data()[i] = std::min(to_objects.data()[i], reach.data()[i]);
+    return to_objects;
 }
 
 void resize(const BeamImageSettings& s, BeamImage& image) {
@@ -108,13 +161,38 @@ void resize(const BeamImageSettings& s, BeamImage& image) {
     if (image.radiance.nx() != size.x || image.radiance.ny() != size.y) image.radiance = Field<float>(size.x, size.y);
 }
 
+namespace {
+
+/// The whole beams, and the pieces of the others.
+void draw_parts(const BeamImageSettings& s, const Beams& beams, const DrawAll& draw, BeamImage& image) {
+    const Field<float> reach = picture_reach(s, beams);
+    draw(s, beams, reach, image);
+    if (!beams.pieces) return;
+    BeamImage more;
+    draw(s, beams.pieces->beams, reach, more);
+    add(more, image);
+}
+
+}  // namespace
+
+void add(const BeamImage& more, BeamImage& image) {
+    std::int64_t covered = 0;
+    for (std::size_t i = 0; i < image.radiance.size(); ++i) {
+        image.radiance.data()[i] += more.radiance.data()[i];
+        covered += image.radiance.data()[i] > 0 ? 1 : 0;
+    }
+    image.counts.beams += more.counts.beams;
+    image.counts.sections += more.counts.sections;
+    image.counts.covered_pixels = covered;
+}
+
 void draw_reduced(const BeamImageSettings& settings, const Beams& beams, const DrawAll& draw, BeamImage& image) {
-    if (settings.reduction == 1) return draw(settings, image);
+    if (settings.reduction == 1) return draw_parts(settings, beams, draw, image);
     BeamImageSettings fewer = settings;
     fewer.camera = reduced(settings.camera, settings.reduction);
     fewer.reduction = 1;
     BeamImage coarse;
-    draw(fewer, coarse);
+    draw_parts(fewer, beams, draw, coarse);
     image.counts = coarse.counts;
     resize(settings, image);
     enlarge(settings, beams, coarse.radiance, image.radiance);

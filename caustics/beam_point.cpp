@@ -74,12 +74,8 @@ glm::dvec3 off_edges(const Beams& b, glm::dvec3 place) {
     return place + hair * glm::dvec3{x * g.width_m() / b.nx, y * g.height_m() / b.ny, 0};
 }
 
-}  // namespace
-
-PointIrradiance irradiance_at(const Beams& beams, glm::dvec3 at_m) {
-    PointIrradiance sum;
-    const glm::dvec3 place_m = off_edges(beams, at_m);
-    if (beyond_walls(beams, at_m)) return sum;
+/// Adds what these beams bring to a place; where they end is asked where it is not the floor everywhere.
+void add_beams(const Beams& beams, glm::dvec3 place_m, bool uneven, PointIrradiance& sum) {
     for (int j = 0; j < beams.ny; ++j) {
         for (int beam = 0; beam < 2 * beams.nx; ++beam) {
             const double flux = beams.flux(beam, j);
@@ -94,7 +90,7 @@ PointIrradiance irradiance_at(const Beams& beams, glm::dvec3 at_m) {
             const glm::dvec2 p1 = p0 + space.k1 + y * space.l1, p2 = p0 + space.k2 + y * space.l2;
             if (!holds_origin(p0, p1, p2)) continue;
             constexpr double hair_m = 1e-5;  // heights are floats
-            if (beams.ground && place.z < end_at_origin(base, p0, p1, p2) - hair_m) continue;
+            if (uneven && place.z < end_at_origin(base, p0, p1, p2) - hair_m) continue;
             const double cosine = 1 / std::sqrt(1 + glm::dot(space.d0, space.d0));
             const double way = y / cosine;
             const double across = f64::irradiance_across(flux, f64::section_area(space.area, y), cosine) *
@@ -104,6 +100,16 @@ PointIrradiance irradiance_at(const Beams& beams, glm::dvec3 at_m) {
             ++sum.beams;
         }
     }
+}
+
+}  // namespace
+
+PointIrradiance irradiance_at(const Beams& beams, glm::dvec3 at_m) {
+    PointIrradiance sum;
+    if (beyond_walls(beams, at_m)) return sum;
+    const glm::dvec3 place_m = off_edges(beams, at_m);
+    add_beams(beams, place_m, beams.ground != nullptr, sum);
+    if (beams.pieces) add_beams(beams.pieces->beams, place_m, true, sum);
     return sum;
 }
 

@@ -14,8 +14,8 @@ struct PointIrradiance {
 };
 
 /// Sums flux over section area of every beam whose section through the place, parallel to its triangle on the surface,
-/// holds it: the paper's area polynomial in beam space. Dark above the surface, in the ground and beyond a wall.
-/// Unscattered light only.
+/// holds it: the paper's area polynomial in beam space. Dark above the surface, in the ground, behind objects and
+/// beyond a wall. Unscattered light only.
 PointIrradiance irradiance_at(const Beams& beams, glm::dvec3 place_m);
 
 }  // namespace waterlight

@@ -36,6 +36,15 @@ float shrinks_to(const Beams& b, int beam, int row) {
     return area.z > 0 ? least_share(area, static_cast<float>(b.depth_m) + height) : 1;
 }
 
+/// Leaves out the pieces of beams in cells that are not this grid's.
+template <class Kept>
+void keep_pieces(Beams& beams, Kept kept) {
+    if (!beams.pieces) return;
+    BeamPieces& pieces = *beams.pieces;
+    for (std::size_t k = 0; k < pieces.of.size(); ++k)
+        if (!kept(pieces.of[k].x / 2, pieces.of[k].y)) pieces.beams.flux(4 * static_cast<int>(k), 0) = 0;
+}
+
 }  // namespace
 
 void make_refined_beams(const BeamSettings& settings, double share, const Surface& surface, RefinedBeams& beams) {
@@ -46,10 +55,12 @@ void make_refined_beams(const BeamSettings& settings, double share, const Surfac
     make_beams(twice, surface, beams.fine);
     Beams &coarse = beams.coarse, &fine = beams.fine;
     int refined = 0;
+    Field<char> is_refined(coarse.nx, coarse.ny);
 #pragma omp parallel for schedule(static) reduction(+ : refined)
     for (int j = 0; j < coarse.ny; ++j) {
         for (int i = 0; i < coarse.nx; ++i) {
             const bool converges = std::min(shrinks_to(coarse, 2 * i, j), shrinks_to(coarse, 2 * i + 1, j)) < share;
+            is_refined(i, j) = converges ? 1 : 0;
             if (converges) {
                 coarse.flux(2 * i, j) = coarse.flux(2 * i + 1, j) = 0;
                 ++refined;
@@ -60,6 +71,8 @@ void make_refined_beams(const BeamSettings& settings, double share, const Surfac
         }
     }
     beams.refined_cells = refined;
+    keep_pieces(coarse, [&](int i, int j) { return is_refined(i, j) == 0; });
+    keep_pieces(fine, [&](int i, int j) { return is_refined(i / 2, j / 2) != 0; });
 }
 
 void draw_beams(const BeamImageSettings& settings, const RefinedBeams& beams, BeamImage& image) {

@@ -1,5 +1,7 @@
 #include "caustics/beam_renderer.hpp"
 
+#include "caustics/beam_picture.hpp"
+
 namespace waterlight {
 
 namespace {
@@ -22,14 +24,7 @@ void draw_beams(BeamRenderer& renderer, const BeamImageSettings& settings, const
     BeamImage fine;
     renderer.draw(settings, beams.coarse, image);
     renderer.draw(settings, beams.fine, fine);
-    std::int64_t covered = 0;
-    for (std::size_t i = 0; i < image.radiance.size(); ++i) {
-        image.radiance.data()[i] += fine.radiance.data()[i];
-        covered += image.radiance.data()[i] > 0 ? 1 : 0;
-    }
-    image.counts.beams += fine.counts.beams;
-    image.counts.sections += fine.counts.sections;
-    image.counts.covered_pixels = covered;
+    add(fine, image);
 }
 
 }  // namespace waterlight

@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <glm/vec2.hpp>
+#include <optional>
 
+#include "caustics/beam_pieces.hpp"
 #include "caustics/cell_shares.hpp"
 #include "caustics/cut_triangle.hpp"
 #include "caustics/kernels/optics.hpp"
@@ -41,29 +43,19 @@ Field<float> ground_under(const BeamGround& ground, const Grid& domain, glm::ive
     return heights;
 }
 
-/// One slice after another, by one thread.
-class SliceFiller {
+/// The sections of beams at one depth after another.
+class BeamSections {
   public:
-    SliceFiller(const Beams& beams, glm::ivec3 cells)
-        : beams_(beams),
-          cells_(cells),
-          landed_(beams.nx + 1, beams.ny + 1),
-          sums_(2 * static_cast<std::size_t>(cells.x) * static_cast<std::size_t>(cells.y)) {}
+    BeamSections(const Beams& beams, glm::ivec3 cells)
+        : beams_(beams), cells_(cells), landed_(beams.nx + 1, beams.ny + 1) {}
 
-    SliceLedger fill(float z, float* plane, float* scalar) {
+    /// Calls take(section) for all that carry light.
+    template <class Take>
+    void at(float z, Take take) {
         land(z);
-        std::fill(sums_.begin(), sums_.end(), 0.0);
-        ledger_ = {};
         for (int j = 0; j < beams_.ny; ++j)
             for (int b = 0; b < 2 * beams_.nx; ++b)
-                if (beams_.flux(b, j) > 0) add(section(b, j, z));
-        const double per_area =
-            cells_.x * static_cast<double>(cells_.y) / (beams_.domain.width_m() * beams_.domain.height_m());
-        for (std::size_t i = 0; i < sums_.size() / 2; ++i) {
-            plane[i] = static_cast<float>(sums_[2 * i] * per_area);
-            scalar[i] = static_cast<float>(sums_[2 * i + 1] * per_area);
-        }
-        return ledger_;
+                if (beams_.flux(b, j) > 0) take(section(b, j, z));
     }
 
   private:
@@ -126,6 +118,39 @@ class SliceFiller {
         return s;
     }
 
+    const Beams& beams_;
+    glm::ivec3 cells_;
+    Landed landed_;
+};
+
+/// One slice after another, by one thread.
+class SliceFiller {
+  public:
+    SliceFiller(const Beams& beams, glm::ivec3 cells)
+        : beams_(beams),
+          cells_(cells),
+          whole_(beams, cells),
+          sums_(2 * static_cast<std::size_t>(cells.x) * static_cast<std::size_t>(cells.y)) {
+        if (beams.pieces) pieces_.emplace(beams.pieces->beams, cells);
+    }
+
+    /// `ledger` keeps what objects stopped.
+    void fill(float z, float* plane, float* scalar, SliceLedger& ledger) {
+        std::fill(sums_.begin(), sums_.end(), 0.0);
+        ledger_ = {.objects_w = ledger.objects_w};
+        const auto take = [this](const Section& s) { add(s); };
+        whole_.at(z, take);
+        if (pieces_) pieces_->at(z, take);
+        const double per_area =
+            cells_.x * static_cast<double>(cells_.y) / (beams_.domain.width_m() * beams_.domain.height_m());
+        for (std::size_t i = 0; i < sums_.size() / 2; ++i) {
+            plane[i] = static_cast<float>(sums_[2 * i] * per_area);
+            scalar[i] = static_cast<float>(sums_[2 * i + 1] * per_area);
+        }
+        ledger = ledger_;
+    }
+
+  private:
     void add(const Section& s) {
         if (s.corners < 3) return;
         ledger_.flux_w += s.flux;
@@ -153,11 +178,31 @@ class SliceFiller {
 
     const Beams& beams_;
     glm::ivec3 cells_;
-    Landed landed_;
+    BeamSections whole_;
+    std::optional<BeamSections> pieces_;
     std::vector<double> sums_;  ///< plane and scalar flux of each cell, W
     CellShares shares_;
     SliceLedger ledger_;
 };
+
+/// Of light that objects stopped above z what would pass there.
+double stopped_above(const BeamPieces& pieces, double z) {
+    double sum = 0;
+    for (std::size_t k = 0; k < pieces.of.size(); ++k) {
+        if (!pieces.stopped[k]) continue;
+        const int b = 4 * static_cast<int>(k);
+        CutTriangle part;
+        double remaining = 0;
+        const BeamTriangle corner = triangle_of(pieces.beams, b, 0);
+        for (int n = 0; n < 3; ++n) {
+            const double descent = corner[n].at_m.z - z;
+            part.add({CutTriangle::corners[n], {descent, corner[n].end_z - z}});
+            remaining += f64::beer_lambert(pieces.beams.extinction_per_m, std::max(0.0, descent) * corner[n].path) / 3;
+        }
+        sum += pieces.beams.flux(b, 0) * remaining * part.where_positive(0).where_positive(1).share();
+    }
+    return sum;
+}
 
 }  // namespace
 
@@ -173,6 +218,21 @@ void fit(const Beams& beams, glm::ivec3 cells, BeamVolume& volume) {
     volume.depth_m = beams.depth_m;
     volume.ground_m = beams.ground ? ground_under(*beams.ground, beams.domain, cells) : Field<float>();
     volume.ledger.assign(cells.z, {});
+    if (!beams.pieces) return;
+    for (int k = 0; k < cells.z; ++k) volume.ledger[k].objects_w = stopped_above(*beams.pieces, volume.z_m(k));
+}
+
+void add(const BeamVolume& more, BeamVolume& volume) {
+    const auto add_field = [](const Field<float>& from, Field<float>& to) {
+        for (std::size_t i = 0; i < to.size(); ++i) to.data()[i] += from.data()[i];
+    };
+    add_field(more.plane_irradiance, volume.plane_irradiance);
+    add_field(more.scalar_irradiance, volume.scalar_irradiance);
+    for (std::size_t k = 0; k < volume.ledger.size(); ++k) {
+        volume.ledger[k].flux_w += more.ledger[k].flux_w;
+        volume.ledger[k].inside_w += more.ledger[k].inside_w;
+        volume.ledger[k].outside_w += more.ledger[k].outside_w;
+    }
 }
 
 void fill_volume(const Beams& beams, glm::ivec3 cells, BeamVolume& volume) {
@@ -182,8 +242,8 @@ void fill_volume(const Beams& beams, glm::ivec3 cells, BeamVolume& volume) {
         SliceFiller filler(beams, cells);
 #pragma omp for schedule(dynamic, 1)
         for (int k = 0; k < cells.z; ++k)
-            volume.ledger[k] = filler.fill(static_cast<float>(volume.z_m(k)), volume.plane_irradiance.row(k * cells.y),
-                                           volume.scalar_irradiance.row(k * cells.y));
+            filler.fill(static_cast<float>(volume.z_m(k)), volume.plane_irradiance.row(k * cells.y),
+                        volume.scalar_irradiance.row(k * cells.y), volume.ledger[k]);
     }
 }
 

@@ -14,6 +14,9 @@ struct SliceLedger {
     double flux_w = 0;
     double inside_w = 0;
     double outside_w = 0;
+    /// What would pass here of the light that objects in the water stopped above, ground aside: with it flux_w is that
+    /// of water without objects, less what they shade from above.
+    double objects_w = 0;
 };
 
 /// nx by ny by nz cells over the domain, from the floor (or the lowest ground) to still water. A value is the mean over
@@ -47,7 +50,11 @@ struct BeamVolume {
 /// its size fits. Throws InputError where a count is below 1.
 void fill_volume(const Beams& beams, glm::ivec3 cells, BeamVolume& volume);
 
-/// Makes `volume` fit the beams, its ledger empty. Throws InputError where a count is below 1.
+/// Makes `volume` fit the beams, its ledger empty but for what objects stopped. Throws InputError where a count is
+/// below 1.
 void fit(const Beams& beams, glm::ivec3 cells, BeamVolume& volume);
+
+/// Adds fields, and what their ledgers say of the light that passes, of the same cells.
+void add(const BeamVolume& more, BeamVolume& volume);
 
 }  // namespace waterlight

@@ -139,7 +139,9 @@ struct BeamVolumeVulkan::Impl {
                 flux += rows[k * b.ny + j].flux.value();
                 outside += rows[k * b.ny + j].outside.value();
             }
-            l = {flux * quantum_w, inside * quantum_w, outside * quantum_w};
+            l.flux_w = flux * quantum_w;
+            l.inside_w = inside * quantum_w;
+            l.outside_w = outside * quantum_w;
         }
     }
 };
@@ -151,6 +153,12 @@ BeamVolumeVulkan::~BeamVolumeVulkan() = default;
 
 void BeamVolumeVulkan::fill(const Beams& beams, glm::ivec3 cells, BeamVolume& volume) {
     impl_->fill(beams, cells, volume);
+    if (!beams.pieces) return;
+    const std::vector<StageTime> of_whole = impl_->times;
+    BeamVolume more;
+    impl_->fill(beams.pieces->beams, cells, more);
+    add(more, volume);
+    for (std::size_t k = 0; k < of_whole.size(); ++k) impl_->times[k].seconds += of_whole[k].seconds;
 }
 
 const std::vector<StageTime>& BeamVolumeVulkan::stage_times() const { return impl_->times; }

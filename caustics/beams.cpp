@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "caustics/beam_capture.hpp"
+#include "caustics/beam_cut.hpp"
 #include "caustics/cut_triangle.hpp"
 #include "caustics/kernels/optics.hpp"
 #include "sim/error.hpp"
@@ -81,16 +82,6 @@ BeamWindow window_over(const BeamSettings& s, const Beams& beams, const Surface&
     return {low, high - low};
 }
 
-void resize(Beams& beams, glm::ivec2 grid) {
-    if (beams.nx == grid.x && beams.ny == grid.y) return;
-    beams.nx = grid.x;
-    beams.ny = grid.y;
-    for (Field<float>* f : {&beams.x, &beams.y, &beams.z, &beams.travel_x, &beams.travel_y, &beams.path, &beams.end_z,
-                            &beams.transmittance})
-        *f = Field<float>(grid.x + 1, grid.y + 1);
-    beams.flux = Field<float>(2 * grid.x, grid.y);
-}
-
 /// Captures and refracts row j of the corners.
 void fill_row(const BeamSettings& s, const SurfaceCapture& capture, const BeamWindow& window, int j, Beams& beams) {
     const Bend bend(s, beams.mirrored);
@@ -128,59 +119,85 @@ struct BeamWay {
 };
 
 /// Cuts off the part of a beam that is on dry ground, and what its flux loses on ways of these depths.
-void cut_dry(const std::array<double, 3>& depth_m, double extinction_per_m, double path, BeamWay& way) {
+void cut_dry(const BeamTriangle& corner, double extinction_per_m, double path, BeamWay& way) {
     CutTriangle part;
-    for (int k = 0; k < 3; ++k) part.add({CutTriangle::corners[k], {depth_m[k], 0}});
+    for (int k = 0; k < 3; ++k) part.add({CutTriangle::corners[k], {corner[k].depth_m(), 0}});
     part = part.where_positive(0);
     way.wet = part.share();
     way.remaining = part.integral(
         [&](const CutTriangle::Corner& c) { return f64::beer_lambert(extinction_per_m, c.level[0] * path); });
 }
 
-BeamWay way_of(const Beams& beams, int b, int j) {
+BeamWay way_of(const BeamTriangle& corner, double extinction_per_m) {
     BeamWay way;
-    std::array<glm::dvec3, 3> v;
-    std::array<double, 3> depth{};
     double path = 0;
-    for (int k = 0; k < 3; ++k) {
-        const int i = corners_of(b, j)[k].x, row = corners_of(b, j)[k].y;
-        v[k] = {beams.x(i, row), beams.y(i, row), beams.z(i, row)};
-        depth[k] = v[k].z - static_cast<double>(beams.end_z(i, row));
-        const double descent = std::max(0.0, depth[k]);
-        way.landed_m += (glm::dvec2(v[k]) + descent * glm::dvec2{beams.travel_x(i, row), beams.travel_y(i, row)}) / 3.0;
-        way.transmittance += beams.transmittance(i, row) / 3.0;
-        way.remaining += f64::beer_lambert(beams.extinction_per_m, descent * beams.path(i, row)) / 3;
-        path += beams.path(i, row) / 3.0;
-        way.leaves = way.leaves && beams.path(i, row) > 0;
+    for (const BeamCorner& c : corner) {
+        const double descent = std::max(0.0, c.depth_m());
+        way.landed_m += (glm::dvec2(c.at_m) + descent * c.travel) / 3.0;
+        way.transmittance += c.transmittance / 3.0;
+        way.remaining += f64::beer_lambert(extinction_per_m, descent * c.path) / 3;
+        path += c.path / 3.0;
+        way.leaves = way.leaves && c.path > 0;
     }
-    way.area = 0.5 * glm::cross(v[1] - v[0], v[2] - v[0]);
-    if (std::ranges::any_of(depth, [](double d) { return d < 0; })) cut_dry(depth, beams.extinction_per_m, path, way);
+    way.area = 0.5 * glm::cross(corner[1].at_m - corner[0].at_m, corner[2].at_m - corner[0].at_m);
+    if (std::ranges::any_of(corner, [](const BeamCorner& c) { return c.depth_m() < 0; }))
+        cut_dry(corner, extinction_per_m, path, way);
     return way;
 }
 
-/// The flux of each beam of row j, and what becomes of it. Light that lands is counted where its middle lands.
-BeamLedger charge_row(const BeamSettings& s, int j, Beams& beams) {
+/// What comes to a beam, or to a piece of one, and enters there, as if all of it were wet.
+struct BeamPower {
+    double incident_w = 0, flux_w = 0;
+};
+
+/// What becomes of the light of a beam with this way. Light that lands is counted where its middle lands.
+void charge(const Beams& beams, const BeamWay& way, const BeamPower& power, BeamPiece::Fate fate, BeamLedger& ledger) {
+    ledger.dry_w += power.incident_w * (1 - way.wet);
+    if (fate == BeamPiece::Fate::shaded) {
+        ledger.objects_w += power.incident_w * way.wet;
+        return;
+    }
+    ledger.reflected_w += (power.incident_w - power.flux_w) * way.wet;
+    ledger.extinguished_w += power.flux_w * (way.wet - way.remaining);
+    double& landed = fate == BeamPiece::Fate::stopped ? ledger.objects_w
+                     : in_domain(beams, way.landed_m) ? ledger.floor_w
+                                                      : ledger.outside_w;
+    landed += power.flux_w * way.remaining;
+}
+
+/// The pieces of beams that are added up row by row.
+using CutRow = std::vector<CutBeam>;
+
+/// The flux of each beam of row j, and what becomes of it. Pieces go to `cut`, where there is a cutter.
+BeamLedger charge_row(const BeamSettings& s, int j, const std::optional<BeamCutter>& cutter, Beams& beams,
+                      CutRow& cut) {
     const glm::dvec3 light = s.sun.direction();
     // In the mirror the light comes from below the surface, and so opposes the normal of a triangle that it meets.
     const glm::dvec3 sun = beams.mirrored ? glm::dvec3{-light.x, -light.y, light.z} : light;
     const double e0 = s.sun.elevation_deg > 0 ? s.sun.irradiance_w_m2 : 0;
     BeamLedger ledger;
     for (int b = 0; b < 2 * beams.nx; ++b) {
-        const BeamWay way = way_of(beams, b, j);
+        const BeamTriangle triangle = triangle_of(beams, b, j);
+        const BeamWay way = way_of(triangle, beams.extinction_per_m);
         const double facing = -glm::dot(sun, way.area), incident = e0 * std::abs(facing);
         const bool discarded = !way.leaves || !(facing > s.least_cosine * glm::length(way.area));
         ledger.incident_w += incident;
+        beams.flux(b, j) = 0;
         if (discarded || !(way.wet > 0)) {
             (way.wet > 0 ? ledger.discarded_w : ledger.dry_w) += incident;
-            beams.flux(b, j) = 0;
             continue;
         }
-        const double flux = incident * way.transmittance;
-        beams.flux(b, j) = static_cast<float>(flux);
-        ledger.dry_w += incident * (1 - way.wet);
-        ledger.reflected_w += (incident - flux) * way.wet;
-        ledger.extinguished_w += flux * (way.wet - way.remaining);
-        (in_domain(beams, way.landed_m) ? ledger.floor_w : ledger.outside_w) += flux * way.remaining;
+        const BeamPower power{incident, incident * way.transmittance};
+        const std::vector<BeamPiece> pieces = cutter ? cutter->pieces(triangle) : std::vector<BeamPiece>{};
+        if (pieces.empty()) {
+            beams.flux(b, j) = static_cast<float>(power.flux_w);
+            charge(beams, way, power, BeamPiece::Fate::goes_on, ledger);
+        }
+        for (const BeamPiece& piece : pieces) {
+            const BeamPower part{piece.share * power.incident_w, piece.share * power.flux_w};
+            charge(beams, way_of(piece.corner, beams.extinction_per_m), part, piece.fate, ledger);
+            if (piece.fate != BeamPiece::Fate::shaded) cut.push_back({piece, {b, j}, part.flux_w});
+        }
     }
     return ledger;
 }
@@ -202,22 +219,36 @@ void fill(const BeamSettings& settings, const Surface& surface, Beams& beams) {
     const double reach = s.window ? glm::length(s.window->size_m + glm::abs(s.window->origin_m)) : 0;
     const SurfaceCapture capture(surface, s.sun.direction(), reach);
     const BeamWindow window = s.window.value_or(window_over(s, beams, surface, capture));
+    std::optional<BeamCutter> cutter;
+    if (s.objects && !s.objects->empty() && settings.sun.elevation_deg > 0) cutter.emplace(s, beams);
     std::vector<BeamLedger> rows(s.grid.y);
+    std::vector<CutRow> cut(s.grid.y);
 #pragma omp parallel
     {
 #pragma omp for schedule(static)
         for (int j = 0; j <= s.grid.y; ++j) fill_row(s, capture, window, j, beams);
-#pragma omp for schedule(static)
-        for (int j = 0; j < s.grid.y; ++j) rows[j] = charge_row(s, j, beams);
+#pragma omp for schedule(dynamic, 1)
+        for (int j = 0; j < s.grid.y; ++j) rows[j] = charge_row(s, j, cutter, beams, cut[j]);
     }
     beams.ledger = {};
     for (const BeamLedger& row : rows) beams.ledger = beams.ledger + row;
     const auto [low, high] = std::minmax_element(beams.z.values().begin(), beams.z.values().end());
     beams.lowest_m = *low;
     beams.highest_m = *high;
+    beams.pieces = gather(beams, cut);
 }
 
 }  // namespace
+
+void resize(Beams& beams, glm::ivec2 grid) {
+    if (beams.nx == grid.x && beams.ny == grid.y) return;
+    beams.nx = grid.x;
+    beams.ny = grid.y;
+    for (Field<float>* f : {&beams.x, &beams.y, &beams.z, &beams.travel_x, &beams.travel_y, &beams.path, &beams.end_z,
+                            &beams.transmittance})
+        *f = Field<float>(grid.x + 1, grid.y + 1);
+    beams.flux = Field<float>(2 * grid.x, grid.y);
+}
 
 BeamLedger operator+(BeamLedger a, const BeamLedger& b) {
     a.incident_w += b.incident_w;

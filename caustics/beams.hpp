@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "caustics/beam_ground.hpp"
 #include "caustics/light.hpp"
@@ -15,6 +16,7 @@
 namespace waterlight {
 
 class ObjectSet;
+struct BeamPieces;
 
 /// A rectangle of the plane z = 0 that the sun's rays cross on their way to the surface.
 struct BeamWindow {
@@ -29,7 +31,8 @@ struct BeamSettings {
     std::shared_ptr<const BeamGround> ground;  ///< none: a flat floor
     Sun sun;
     WaterOptics optics;
-    /// What stops beams; none: nothing. Glass and mirrors stop them as well. Placed by the surface's time.
+    /// What stops beams; none: nothing. Glass and mirrors stop them as well: beams neither pass through nor turn.
+    /// Placed by the surface's time, repeated beyond periodic sides. What is above the water shades its surface.
     std::shared_ptr<const ObjectSet> objects;
     /// Triangles that face the sun less than this are discarded (the paper's heuristic), in [0, 1).
     double least_cosine = 0.02;
@@ -73,12 +76,25 @@ struct Beams {
     /// Where the way of each corner's light ends: on the floor, m. Above z where the ground is dry.
     Field<float> end_z;
     Field<float> transmittance;  ///< Fresnel
-    /// Of each beam just below the surface, W, as if all of its triangle were wet; 0 where discarded or dry.
+    /// Of each beam just below the surface, W, as if all of its triangle were wet; 0 where discarded or dry, or where
+    /// objects stop any of it: then what is left of it is in `pieces`.
     Field<float> flux;
     float lowest_m = 0, highest_m = 0;  ///< of z
     BeamLedger ledger;
     std::shared_ptr<const BeamGround> ground;  ///< as in the settings
+    std::shared_ptr<BeamPieces> pieces;        ///< none where no object stops a beam
 };
+
+/// Beams that objects cut, in pieces that end together: on the floor, on the ground or on an object. Piece k is beam 4
+/// k of the one row; the other beams have no flux. Fields, places and pictures add them to the whole beams.
+struct BeamPieces {
+    Beams beams;
+    std::vector<glm::ivec2> of;  ///< of each piece the whole beam, and its row
+    std::vector<bool> stopped;   ///< of each piece, whether it ends on an object
+};
+
+/// Gives `beams` room for a grid of so many cells.
+void resize(Beams& beams, glm::ivec2 grid);
 
 /// The corners of beam b (2 i or 2 i + 1) in row j as {column, row}.
 inline std::array<glm::ivec2, 3> corners_of(int b, int j) {
@@ -90,7 +106,9 @@ inline std::array<glm::ivec2, 3> corners_of(int b, int j) {
 /// Captures the surface along the sun's rays, the first that each meets, and refracts. Between the surface's cells it
 /// is bilinear in elevation and slopes; beyond periodic sides it repeats, beyond absorbing sides the water is still; at
 /// walls the outermost corners are drawn in, so that beams end at the wall. On ground each corner's light ends where
-/// its ray first meets it; beams between dry corners carry none. `beams` is reused where its size fits.
+/// its ray first meets it; beams between dry corners carry none. Objects take what falls on them, in the water and on
+/// its way to it; a beam that is partly stopped is cut along the edge of the shadow (beam_cut.hpp), the others are as
+/// without objects, to the last bit. `beams` is reused where its size fits.
 /// Throws InputError where a setting is out of its range.
 void make_beams(const BeamSettings& settings, const Surface& surface, Beams& beams);
 
@@ -98,7 +116,7 @@ void make_beams(const BeamSettings& settings, const Surface& surface, Beams& bea
 /// those of the air. Fields, places and pictures are made of them as of others, in heights counted downwards
 /// (`mirrored` of Beams; pictures with mirrored() of the camera). Light reflected twice is not followed: it passes
 /// through waves in its way, and where it leaves less than 0.57 degrees above the horizon it counts as discarded. The
-/// ground does not matter. Throws as make_beams().
+/// ground does not matter. Objects above the water stop it as they stop light in it. Throws as make_beams().
 void make_reflected_beams(const BeamSettings& settings, const Surface& surface, Beams& beams);
 
 }  // namespace waterlight

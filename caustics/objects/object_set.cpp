@@ -150,6 +150,9 @@ PlacedObjects::PlacedObjects(std::shared_ptr<const ObjectSet> set, double time_s
 PlacedObjects::~PlacedObjects() = default;
 PlacedObjects::PlacedObjects(PlacedObjects&&) noexcept = default;
 
+glm::dvec3 PlacedObjects::low_m(int number) const { return top_->placed[static_cast<std::size_t>(number)].low_m; }
+glm::dvec3 PlacedObjects::high_m(int number) const { return top_->placed[static_cast<std::size_t>(number)].high_m; }
+
 std::optional<ObjectHit> PlacedObjects::first_hit(const Ray& ray) const {
     if (!top_) return std::nullopt;
     Search search{{}, &ray, {.distance_m = ray.farthest_m}, false};

@@ -67,6 +67,10 @@ class PlacedObjects {
     /// The box that holds them all; low > high where there are none.
     glm::dvec3 low_m() const { return low_m_; }
     glm::dvec3 high_m() const { return high_m_; }
+    int count() const { return set_ ? static_cast<int>(set_->objects().size()) : 0; }
+    /// The box that holds one of them.
+    glm::dvec3 low_m(int number) const;
+    glm::dvec3 high_m(int number) const;
 
   private:
     struct Top;
