@@ -141,7 +141,8 @@ void add_up_finely(const Section& s, const Rays& rays, const PhaseFunction& phas
     part.far = far;
     for (int k = 0; k < samples; ++k) {
         for (int l = 0; l < lanes; ++l) {
-            const f32::WaterSpan span = f32::chord_part(whole_chord(chords, l), k, samples);
+            const f32::WaterSpan span =
+                f32::chord_part(whole_chord(chords, l), {rays.near[l], rays.far[l]}, k, samples);
             near[l] = span.near;
             far[l] = span.far;
         }

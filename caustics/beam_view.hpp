@@ -133,7 +133,7 @@ inline CellView view_of(const Beams& b, const CellCopy& copy, const std::array<g
         const float flux = b.flux(2 * copy.column + beam, copy.row);
         if (!(flux > 0)) continue;
         const f32::BeamLid top = f32::upper_lid(corners[0], corners[1 + beam], corners[2 + beam]);
-        const f32::BeamLid ground = f32::lower_lid(corners[4], corners[5 + beam], corners[6 + beam]);
+        const f32::BeamLid ground = f32::lower_lid(corners[4], corners[5 + beam], corners[6 + beam], {mean, -1});
         view.form[top_lid + beam] = top.outward;
         view.form[ground_lid + beam] = ground.outward;
         view.top_distance[beam] = top.distance;

@@ -8,7 +8,7 @@
 #include <glm/vec2.hpp>
 #include <optional>
 
-#include "caustics/beam_cut.hpp"
+#include "caustics/beam_pieces.hpp"
 #include "caustics/cell_shares.hpp"
 #include "caustics/cut_triangle.hpp"
 #include "caustics/kernels/optics.hpp"

@@ -276,16 +276,17 @@ KERNEL BeamLid upper_lid(real3 a, real3 b, real3 c) {
     return lid;
 }
 
-// On the ground, either way round, for beams fold. Where the corners are in line, or stand on each other, the plane is
-// level.
-KERNEL BeamLid lower_lid(real3 a, real3 b, real3 c) {
+// Where the light ends, either way round, for beams fold: its outside is where the light, along `light`, would go on.
+// Where the corners are in line, or the light grazes their plane, the plane is level.
+KERNEL BeamLid lower_lid(real3 a, real3 b, real3 c, real3 light) {
     real3 normal = cross(b - a, c - a);
-    bool clear = normal.z * normal.z > real(0.01) * dot(normal, normal);
+    real onwards = dot(normal, light);
+    bool clear = onwards * onwards > real(0.01) * dot(normal, normal) * dot(light, light);
     real middle = (a.z + b.z + c.z) * (real(1) / real(3));
-    real3 downward = clear ? unit(normal.z > real(0) ? -normal : normal) : real3(real(0), real(0), real(-1));
+    real3 outside = clear ? unit(onwards < real(0) ? -normal : normal) : real3(real(0), real(0), real(-1));
     BeamLid lid;
-    lid.outward = real3(downward.x, downward.y, -downward.z);
-    lid.distance = clear ? dot(downward, a) : -middle;
+    lid.outward = real3(outside.x, outside.y, -outside.z);
+    lid.distance = clear ? dot(outside, a) : -middle;
     return lid;
 }
 
@@ -307,12 +308,15 @@ KERNEL BeamChord cut_chord(BeamChord c, WaterSpan s) {
     return kept;
 }
 
-// Part k of `parts` of a chord that are equally long.
-KERNEL WaterSpan chord_part(BeamChord whole, int k, int parts) {
-    real step = (whole.end - whole.begin) / real(parts);
+// Part k of `parts` of a chord that are equally long. A chord that the ray passes by is not cut: in parts of it beyond the
+// part of the ray that is looked at the ray might meet the beam.
+KERNEL WaterSpan chord_part(BeamChord whole, WaterSpan ray, int k, int parts) {
+    real begin = clamp(whole.begin, ray.near, max(ray.near, ray.far));
+    real end = clamp(whole.end, ray.near, max(ray.near, ray.far));
+    real step = (end - begin) / real(parts);
     WaterSpan s;
-    s.near = whole.begin + real(k) * step;
-    s.far = k + 1 == parts ? whole.end : whole.begin + real(k + 1) * step;
+    s.near = begin + real(k) * step;
+    s.far = k + 1 == parts ? end : begin + real(k + 1) * step;
     return s;
 }
 

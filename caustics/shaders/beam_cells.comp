@@ -152,7 +152,7 @@ void write_numbers(int cell, vec2 power) {
     for (int beam = 0; beam < 2; ++beam) {
         bool lit = power[beam] > 0;
         BeamLid upper = upper_lid(top[0], top[1 + beam], top[2 + beam]);
-        BeamLid lower = lower_lid(end[0], end[1 + beam], end[2 + beam]);
+        BeamLid lower = lower_lid(end[0], end[1 + beam], end[2 + beam], vec3(mean, -1));
         cells[cell].top[beam] = lit ? vec4(upper.outward, upper.distance) : vec4(0);
         cells[cell].ground[beam] = lit ? vec4(lower.outward, lower.distance) : vec4(0);
     }

@@ -132,5 +132,5 @@ void main() {
         return;
     }
     radiance = 0;
-    for (int k = 0; k < p.samples; ++k) radiance += light(ray, meet(ray, chord_part(whole, k, p.samples), true));
+    for (int k = 0; k < p.samples; ++k) radiance += light(ray, meet(ray, chord_part(whole, span, k, p.samples), true));
 }

@@ -36,4 +36,7 @@ void register_floor(const std::string& backend, const MakeMapper& make);
 /// Registers floor_quads/cpu/... for the same sizes.
 void register_floor_quads();
 
+/// Registers floor_photons/...
+void register_floor_photons();
+
 }  // namespace waterlight::bench

@@ -56,4 +56,19 @@ struct ShadowPool {
     double entering() const { return beams.sun.irradiance_w_m2 * light().incident * light().transmittance; }
 };
 
+/// The fields of a pool with its objects and without.
+struct ShadowFields {
+    Beams beams, bare;
+    BeamVolume volume, bare_volume;
+    explicit ShadowFields(const ShadowPool& pool, glm::ivec3 cells = {64, 48, 40})
+        : beams(pool.made()), bare(pool.bare()) {
+        fill_volume(beams, cells, volume);
+        fill_volume(bare, cells, bare_volume);
+    }
+    /// Area (m2) of even light that a slice lacks.
+    double dark_m2(int k, double entering) const {
+        return (bare_volume.ledger[k].flux_w - volume.ledger[k].flux_w) / entering;
+    }
+};
+
 }  // namespace waterlight::test
