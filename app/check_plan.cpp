@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "app/floor_stage.hpp"
+#include "scenarios/build.hpp"
 #include "scenarios/memory.hpp"
 #include "scenarios/reader.hpp"
 #include "sim/error.hpp"
@@ -67,8 +68,9 @@ std::vector<fs::path> scenario_files(const std::vector<fs::path>& paths) {
 /// Why the scenario cannot run where --backend wants it; else empty.
 std::string cannot_run(const Scenario& scenario, const std::string& backend) {
     if (backend != "vulkan") return {};
-    if (scenario.floor && scenario.floor->method == FloorMethod::truth)
-        return "the truth is computed on the CPU only, not by --backend vulkan";
+    if (scenario.floor && !has_vulkan_method(scenario.floor->method))
+        return fmt::format("method {} is computed on the CPU only, not by --backend vulkan",
+                           name_of(scenario.floor->method));
     if (!gpu::survey().chosen) return "no Vulkan device";
     return {};
 }

@@ -1,6 +1,7 @@
 #include "app/explain.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include "scenarios/light_cost.hpp"
 #include "scenarios/number.hpp"
 #include "scenarios/reader.hpp"
+#include "scenarios/resolve.hpp"
 
 namespace waterlight {
 
@@ -84,6 +86,53 @@ std::string light_line(const Scenario& s, const LightDemand& light) {
                        length(light.strongest_m), length(light.focus_m), length(s.domain.depth_m));
 }
 
+/// Of the methods that are neither two-pass nor the truth.
+std::string method_line(const Scenario& s, const LightDemand& light, const char* chosen) {
+    const FloorSection& floor = *s.floor;
+    const std::string map = fmt::format("{} x {} pixels ({})", light.pixels.x, light.pixels.y, chosen);
+    const std::string leaves = percent(light.footprint_error);
+    if (floor.method == FloorMethod::quads)
+        return fmt::format("{}, {} quad{} a pixel; leaves some {}", map,
+                           floor.samples_per_pixel * floor.samples_per_pixel, floor.samples_per_pixel == 1 ? "" : "s",
+                           leaves);
+    if (floor.method == FloorMethod::splat)
+        return fmt::format("{}, splats of {} vertices landed in {} steps; leaves some {}", map,
+                           rounded(vertices_of(s), 3), floor.splat.iterations, leaves);
+    return fmt::format("{}, {} photons in {} pass{} at most; their noise is some {}", map, rounded(photons_of(s), 3),
+                       floor.photons.passes, floor.photons.passes == 1 ? "" : "es", leaves);
+}
+
+/// What the method follows light through, and what it does not.
+std::string follows_line(const Scenario& s) {
+    const FloorSection& floor = *s.floor;
+    switch (floor.method) {
+        case FloorMethod::two_pass:
+            return "the sun through the water; objects, glass too, stop it and cast shadows";
+        case FloorMethod::truth:
+            return "the sun through the water; knows no objects";
+        case FloorMethod::quads:
+            return "the sun through the water, no gaps or overlaps at folds; objects, glass too, stop it; CPU alone";
+        case FloorMethod::splat:
+            return fmt::format(
+                "sun or lamp, the first water, glass or mirror that it meets and up to {} interfaces from "
+                "there; objects cast shadows",
+                floor.splat.bounces);
+        case FloorMethod::photons:
+            break;
+    }
+    return fmt::format("sun or lamp through all water, glass and mirrors, up to {} interfaces; CPU alone",
+                       floor.photons.bounces);
+}
+
+std::string objects_line(const Scenario& s) {
+    std::vector<std::string> all;
+    for (const ObjectSection& section : s.objects)
+        all.push_back(fmt::format("{} ({} {})", section.object.name,
+                                  material_names[static_cast<std::size_t>(section.object.material.type)],
+                                  shape_names[section.object.shape.index()]));
+    return fmt::format("{}", fmt::join(all, ", "));
+}
+
 std::string floor_line(const Scenario& s, const LightDemand& light) {
     const char* chosen = s.floor->pixels.x > 0 ? "stated" : "chosen";
     if (s.floor->method == FloorMethod::truth)
@@ -92,6 +141,7 @@ std::string floor_line(const Scenario& s, const LightDemand& light) {
     if (s.floor->on.receiver == Receiver::ground)
         return fmt::format("{} x {} pixels ({}) on the ground; rays a pixel apart leave some {}", light.pixels.x,
                            light.pixels.y, chosen, percent(light.footprint_error));
+    if (s.floor->method != FloorMethod::two_pass) return method_line(s, light, chosen);
     const bool wide = s.floor->footprint == Footprint::pixel;
     const std::string other =
         !wide && light.pixel_error <= s.accuracy.tolerance
@@ -116,6 +166,9 @@ std::string cost_line(const Scenario& s, const Decision& d) {
 
 std::string picture_line(const Scenario& s) {
     const glm::ivec2 size = s.camera->camera.size;
+    if (traces_pictures(s))
+        return fmt::format("{} x {} pixels of {} samples, traced on the CPU, for there are objects or a lamp", size.x,
+                           size.y, s.picture.look.samples * s.picture.look.samples);
     return fmt::format("{} x {} pixels of {} sample{} at edges, by Vulkan; reckoned for a device that is the CPU",
                        size.x, size.y, s.picture.look.samples, s.picture.look.samples == 1 ? "" : "s");
 }
@@ -136,7 +189,10 @@ std::string explanation(const Scenario& s, const Decision& d) {
     line("grid", grid_line(s, d));
     line("time step", step_line(d));
     if (s.floor || s.beams) line("light", light_line(s, d.light));
+    if (!s.objects.empty()) line("objects", objects_line(s));
     if (s.floor) line("floor map", floor_line(s, d.light));
+    const bool is_plain = s.floor && s.floor->method == FloorMethod::two_pass && s.objects.empty();
+    if (s.floor && !is_plain) line("follows", follows_line(s));
     if (s.beams)
         line("beams", fmt::format("{} x {} cells ({})", d.light.beams.x, d.light.beams.y,
                                   s.beams->grid.x > 0 ? "stated" : "chosen"));

@@ -1,5 +1,7 @@
 #include "app/floor_stage.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -9,7 +11,9 @@
 #include "app/readings.hpp"
 #include "caustics/beam_renderer_vulkan.hpp"
 #include "caustics/floor_vulkan.hpp"
+#include "caustics/splat/splat_vulkan.hpp"
 #include "caustics/truth.hpp"
+#include "scenarios/build_floor.hpp"
 #include "scenarios/resolve.hpp"
 #include "sim/error.hpp"
 
@@ -17,13 +21,13 @@ namespace waterlight {
 
 namespace {
 
-/// The two-pass map, by either back-end.
-class TwoPassStage final : public FloorStage {
+/// The map by any method but the truth, by either back-end.
+class MapperStage final : public FloorStage {
   public:
-    TwoPassStage(const FloorSettings& settings, LitMapper lit)
-        : plan_(settings.plan), optics_(settings.optics), lit_(std::move(lit)) {}
+    MapperStage(FloorMethod method, const FloorSettings& settings, LitMapper lit)
+        : method_(method), plan_(settings.plan), optics_(settings.optics), lit_(std::move(lit)) {}
     void compute(const Surface& surface, FloorMap& map) override { lit_.mapper->compute(surface, map); }
-    double error_estimate() const override { return std::numeric_limits<double>::quiet_NaN(); }
+    MethodRecord record(const FloorMap& map) const override { return method_record(method_, lit_, map); }
     double irradiance_at(const Surface&, const FloorMap& map, glm::dvec2 at_m) const override {
         return pixel_at(plan_, map.irradiance, at_m);
     }
@@ -38,6 +42,7 @@ class TwoPassStage final : public FloorStage {
     }
 
   private:
+    FloorMethod method_;
     FloorPlan plan_;
     WaterOptics optics_;
     LitMapper lit_;
@@ -56,7 +61,9 @@ class TruthStage final : public FloorStage {
         map.ledger = truth.ledger;
         error_ = truth.error_estimate;
     }
-    double error_estimate() const override { return error_; }
+    MethodRecord record(const FloorMap&) const override {
+        return {.method = FloorMethod::truth, .error_estimate = error_};
+    }
     LightLedger ledger(const FloorMap& map) const override { return light_ledger(map.ledger, settings_.floor.optics); }
 
     double irradiance_at(const Surface& surface, const FloorMap& map, glm::dvec2 at_m) const override {
@@ -80,6 +87,19 @@ bool has_vulkan_part(const Scenario& scenario) {
 
 bool is_truth(const Scenario& scenario) { return scenario.floor && scenario.floor->method == FloorMethod::truth; }
 
+/// Makes the mappers of parallel light of one colour.
+FloorMaker back_end_maker(const Scenario& scenario, const BuiltModel& model, const BackendDecision& decision) {
+    const std::shared_ptr<const Field<float>> bed = receiver_bed(scenario, model);
+    const FloorMethod method = scenario.floor->method;
+    if (decision.backend == Backend::vulkan && method == FloorMethod::two_pass && !bed)
+        return [context = decision.context](const FloorSettings& s) { return make_floor_vulkan(s, context); };
+    if (decision.backend == Backend::vulkan && method == FloorMethod::splat)
+        return [&scenario, bed, context = decision.context](const FloorSettings& s) {
+            return make_splat_floor_vulkan(splat_settings(scenario, s, bed), context);
+        };
+    return floor_maker(scenario, bed);
+}
+
 }  // namespace
 
 std::string processor_name() {
@@ -100,11 +120,14 @@ BackendDecision choose_backend(const DeviceWish& wish, const Scenario& scenario)
     if (wish.backend == Backend::cpu && !wish.device.empty())
         throw InputError("--device: found it beside --backend cpu; allowed: --backend vulkan or auto");
     const bool wants_vulkan = wish.backend == Backend::vulkan || !wish.device.empty() || wish.validation;
-    if (is_truth(scenario)) {
+    if (scenario.floor && !has_vulkan_method(scenario.floor->method)) {
+        const std::string_view method = name_of(scenario.floor->method);
         // A device and its validation may be those of the pictures.
         if (wish.backend == Backend::vulkan || (wants_vulkan && !scenario.output.image))
-            throw InputError("--backend: found vulkan beside method = \"truth\"; allowed: auto or cpu");
-        return because("the truth is computed in double precision on the CPU");
+            throw InputError(
+                fmt::format("--backend: found vulkan beside method = \"{}\"; allowed: auto or cpu", method));
+        return because(is_truth(scenario) ? "the truth is computed in double precision on the CPU"
+                                          : fmt::format("method {} is computed on the CPU", method));
     }
     if (wish.backend == Backend::cpu) return because("stated on the command line");
     if (!wants_vulkan && !has_vulkan_part(scenario))
@@ -129,11 +152,9 @@ std::unique_ptr<FloorStage> make_floor_stage(const Scenario& scenario, const Bui
         truth.subsamples = std::min(truth.subsamples, truth.most_subsamples);
         return std::make_unique<TruthStage>(truth, model.prescribed ? model.prescribed->formula() : nullptr);
     }
-    FloorMaker make = make_floor_cpu;
-    if (decision.backend == Backend::vulkan)
-        make = [context = decision.context](const FloorSettings& s) { return make_floor_vulkan(s, context); };
-    if (scenario.floor->on.receiver == Receiver::ground) make = ground_maker(scenario, *model.shallow);
-    return std::make_unique<TwoPassStage>(settings, make_lit_mapper(scenario, settings, make));
+    return std::make_unique<MapperStage>(
+        scenario.floor->method, settings,
+        make_lit_mapper(scenario, settings, back_end_maker(scenario, model, decision)));
 }
 
 std::unique_ptr<BeamRenderer> make_beam_renderer(const BackendDecision& decision) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/method_record.hpp"
 #include "caustics/beam_renderer.hpp"
 #include "caustics/light_ledger.hpp"
 #include "caustics/spectral_floor.hpp"
@@ -41,8 +42,8 @@ class FloorStage {
   public:
     virtual ~FloorStage() = default;
     virtual void compute(const Surface& surface, FloorMap& map) = 0;
-    /// The method's own estimate of its relative error in the last map; NaN where it has none.
-    virtual double error_estimate() const = 0;
+    /// What the method says of the last map.
+    virtual MethodRecord record(const FloorMap& map) const = 0;
     /// Irradiance (W/m2) at a place on the floor of the map just computed from `surface`: of the pixel that holds it,
     /// by the truth of the place itself; NaN beyond the map.
     virtual double irradiance_at(const Surface& surface, const FloorMap& map, glm::dvec2 at_m) const = 0;

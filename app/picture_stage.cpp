@@ -9,6 +9,7 @@
 #include "app/scene_image.hpp"
 #include "caustics/beam_ground.hpp"
 #include "gpu/error.hpp"
+#include "render/traced/traced_picture.hpp"
 #include "scenarios/combinations.hpp"
 #include "scenarios/resolve.hpp"
 #include "scenarios/resolve_light.hpp"
@@ -60,8 +61,8 @@ PictureStage::PictureStage(const Scenario& scenario, const BuiltModel& model, co
     : scenario_(scenario),
       look_(look_of(scenario)),
       ground_m_(has_ground(scenario) ? ground_heights(scenario, model) : Field<float>()),
-      context_(context_for(backend, wish)),
-      renderer_(context_) {
+      context_(traces_pictures(scenario) ? nullptr : context_for(backend, wish)) {
+    if (context_) renderer_ = std::make_unique<SceneRenderer>(context_);
     if (!ground_m_.empty()) require_above_ground();
 }
 
@@ -101,9 +102,27 @@ Scene PictureStage::scene_of(const FrameView& frame) {
 }
 
 void PictureStage::draw(const FrameView& frame) {
-    renderer_.draw(scene_of(frame), look_, scenario_.camera->camera);
-    picture_.image = scene_image(renderer_);
+    if (!renderer_) return trace(frame);
+    renderer_->draw(scene_of(frame), look_, scenario_.camera->camera);
+    picture_.image = scene_image(*renderer_);
     picture_.clipped = clipped(frame, look_);
+}
+
+void PictureStage::trace(const FrameView& frame) {
+    TracedScene traced{scene_of(frame), scenario_.object_set, scenario_.lamp};
+    if (scenario_.lamp) traced.scene.sun.irradiance_w_m2 = 0;
+    TraceOptions options;
+    options.samples = look_.samples * look_.samples;
+    picture_.image = developed(trace_picture(traced, look_, scenario_.camera->camera, options));
+    picture_.clipped = {};
+}
+
+std::string PictureStage::device() const {
+    return context_ ? context_->device().name : processor_name() + ", which traces them";
+}
+
+std::vector<std::string> PictureStage::validation_messages() const {
+    return context_ ? context_->validation_messages() : std::vector<std::string>();
 }
 
 }  // namespace waterlight

@@ -53,6 +53,14 @@ void add_beams(const BeamRecord& beams, std::map<std::string, double>& q) {
     q["camera.max_radiance"] = beams.max_radiance;
 }
 
+void add_method(const MethodRecord& method, std::map<std::string, double>& q) {
+    const auto by = [&](FloorMethod wanted, double value) { return method.method == wanted ? value : none; };
+    q["floor.truth_error"] = by(FloorMethod::truth, method.error_estimate);
+    q["floor.photon_error"] = by(FloorMethod::photons, method.error_estimate);
+    q["floor.splat_missed"] = by(FloorMethod::splat, method.missed_fraction());
+    q["floor.splat_not_converged"] = by(FloorMethod::splat, method.not_converged_fraction());
+}
+
 void add_flicker(const std::string& prefix, const ProbeRecord& probe, std::map<std::string, double>& q) {
     const Flicker flicker = flicker_of(probe.series);
     q[prefix + "scalar_irradiance"] = probe.scalar_irradiance;
@@ -113,7 +121,7 @@ std::map<std::string, double> quantities_of(const RunRecord& r) {
         add_ledger("floor", r.floor->last_ledger, q);
         q["floor.lost_fraction"] = r.floor->lost_fraction;
         q["floor.ledger_closure"] = r.floor->closure;
-        q["floor.truth_error"] = r.floor->truth_error;
+        add_method(r.floor->method, q);
     }
     if (r.accuracy) {
         q["accuracy.floor.estimated_rmse"] = r.accuracy->floor_rmse;

@@ -53,7 +53,7 @@ void Recorder::add_waves(double time_s, const WaveDiagnostics& now) {
     }
 }
 
-void Recorder::add_floor(const FloorMap& map, const LightLedger& ledger, double error_estimate) {
+void Recorder::add_floor(const FloorMap& map, const LightLedger& ledger, const MethodRecord& method) {
     if (!record_.floor) record_.floor.emplace();
     FloorRecord& floor = *record_.floor;
     floor.window = map.window;
@@ -62,7 +62,7 @@ void Recorder::add_floor(const FloorMap& map, const LightLedger& ledger, double 
     const double light = ledger.incident_w + ledger.entered_w;
     floor.lost_fraction = std::max(floor.lost_fraction, light > 0 ? ledger.lost_w / light : 0);
     floor.closure = std::max(floor.closure, ledger.closure());
-    floor.truth_error = error_estimate;
+    floor.method = method;
 }
 
 void Recorder::add_statistics(const FloorMap& map) { record_.floor->last = statistics_of(map.irradiance); }

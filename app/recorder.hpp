@@ -16,7 +16,7 @@ class Recorder {
     void add_frame(double time_s);
     /// Of some frames, the first among them: what is conserved is watched.
     void add_waves(double time_s, const WaveDiagnostics& diagnostics);
-    void add_floor(const FloorMap& map, const LightLedger& ledger, double error_estimate);
+    void add_floor(const FloorMap& map, const LightLedger& ledger, const MethodRecord& method);
     /// Of the last map.
     void add_statistics(const FloorMap& map);
     /// Reads the probes; returns the columns of probes.csv. `light` is asked of every probe, and heard where it has a

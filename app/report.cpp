@@ -30,17 +30,55 @@ Json ledgers_json(const LightLedger& sum, const LightLedger& last, double worst_
             {"worst_closure", worst_closure}};
 }
 
-Json floor_json(const FloorRecord& floor, FloorMethod method, bool on_ground) {
-    Json json{{"method", name_of(method)},
+/// What the method has to say of its last map.
+Json method_json(const FloorRecord& floor, const PhotonOptions& options) {
+    const MethodRecord& m = floor.method;
+    switch (m.method) {
+        case FloorMethod::two_pass:
+            return {{"window", {{"samples", floor.window.samples}, {"channels", floor.window.channels}}}};
+        case FloorMethod::truth:
+            return {{"error_estimate", m.error_estimate}};
+        case FloorMethod::photons:
+            return {{"photons", m.photons},
+                    {"passes", m.passes},
+                    {"passes_at_most", options.passes},
+                    {"bounces", options.bounces},
+                    {"error_estimate", m.error_estimate}};
+        case FloorMethod::splat:
+            return {{"vertices", m.splat.vertices},
+                    {"not_converged", m.splat.not_converged},
+                    {"missed", m.splat.missed},
+                    {"last_step_m", m.splat.last_step_m}};
+        case FloorMethod::quads:
+            break;
+    }
+    return Json::object();
+}
+
+Json floor_json(const FloorRecord& floor, const FloorSection& section) {
+    Json json{{"method", name_of(section.method)},
               {"mean_irradiance_w_m2", floor.last.mean},
               {"min_irradiance_w_m2", floor.last.min},
               {"max_irradiance_w_m2", floor.last.max},
               {"cv", floor.last.cv}};
-    json["receiver"] = on_ground ? "ground" : "flat";
-    if (method == FloorMethod::truth)
-        json["error_estimate"] = floor.truth_error;
-    else
-        json["window"] = {{"samples", floor.window.samples}, {"channels", floor.window.channels}};
+    json["receiver"] = section.on.receiver == Receiver::ground ? "ground" : "flat";
+    json.update(method_json(floor, section.photons));
+    return json;
+}
+
+Json lamp_json(const Lamp& lamp) {
+    return {{"type", lamp.type == Lamp::Type::spot ? "spot" : "point"}, {"power_w", lamp.power_w()}};
+}
+
+Json objects_json(const std::vector<ObjectSection>& objects) {
+    Json json = Json::array();
+    for (const ObjectSection& section : objects) {
+        const Object& o = section.object;
+        json.push_back({{"name", o.name},
+                        {"type", shape_names[o.shape.index()]},
+                        {"material", material_names[static_cast<std::size_t>(o.material.type)]}});
+        if (const auto* mesh = std::get_if<Mesh>(&o.shape)) json.back()["triangles"] = mesh->triangles.size();
+    }
     return json;
 }
 
@@ -182,6 +220,8 @@ nlohmann::ordered_json report_json(const Scenario& scenario, const BackendDecisi
     json["backend"] = {{"name", backend.backend == Backend::vulkan ? "vulkan" : "cpu"}, {"reason", backend.reason}};
     json["model"] = {{"name", record.waves.model}, {"reasons", decision.reasons}};
     if (!decision.warning.empty()) json["model"]["warning"] = decision.warning;
+    if (!scenario.objects.empty()) json["objects"] = objects_json(scenario.objects);
+    if (scenario.lamp) json["lamp"] = lamp_json(*scenario.lamp);
     json["frames"] = record.frames;
     json["steps"] = record.waves.steps;
     json["simulated_s"] = record.simulated_s;
@@ -195,8 +235,7 @@ nlohmann::ordered_json report_json(const Scenario& scenario, const BackendDecisi
     if (record.floor) {
         const FloorRecord& floor = *record.floor;
         json["ledger"] = ledgers_json(floor.sum, floor.last_ledger, floor.closure, record.frames);
-        json["floor"] =
-            floor_json(*record.floor, scenario.floor->method, scenario.floor->on.receiver == Receiver::ground);
+        json["floor"] = floor_json(floor, *scenario.floor);
     }
     if (record.accuracy)
         json["accuracy"] = {{"floor", {{"estimated_rmse", record.accuracy->floor_rmse}}},

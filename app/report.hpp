@@ -60,7 +60,7 @@ struct FloorRecord {
     LightLedger sum;           ///< over the frames
     double lost_fraction = 0;  ///< largest
     double closure = 0;        ///< largest of a frame
-    double truth_error = 0;    ///< NaN where the method has none
+    MethodRecord method;       ///< of the last frame
 };
 
 /// The waves over the run.

@@ -69,7 +69,7 @@ class Run {
         if (scenario.walls) walls_.emplace(scenario);
         if (scenario.accuracy.estimate) accuracy_.emplace(scenario, waves_, backend_);
         if (scenario.output.image) picture_.emplace(scenario, waves_, backend_, options.device);
-        if (picture_) recorder_.record().picture_device = picture_->context().device().name;
+        if (picture_) recorder_.record().picture_device = picture_->device();
     }
 
     bool go() {
@@ -306,7 +306,7 @@ class Run {
             if (shallow_ && watched) shallow_->add_totals();
             recorder_.add_frame(time_s);
             if (floor_) {
-                recorder_.add_floor(map_, floor_->ledger(map_), floor_->error_estimate());
+                recorder_.add_floor(map_, floor_->ledger(map_), floor_->record(map_));
                 if (last || is_checked) recorder_.add_statistics(map_);
             }
             if (beams_) {
@@ -358,8 +358,8 @@ class Run {
         if (walls_) record.walls = walls_->record();
         if (accuracy_) {
             record.accuracy = accuracy_->record();
-            if (record.floor && std::isfinite(record.floor->truth_error))
-                record.accuracy->floor_rmse = record.floor->truth_error;
+            if (record.floor && record.floor->method.method == FloorMethod::truth)
+                record.accuracy->floor_rmse = record.floor->method.error_estimate;
         }
         if (waves_.airy && !waves_.sea.empty()) record.sea = SeaRecord{waves_.airy->sea_coverage(), waves_.sea};
         return record;
@@ -402,7 +402,7 @@ class Run {
     void reject_validation_messages() const {
         std::vector<std::string> messages;
         if (backend_.context) messages = backend_.context->validation_messages();
-        if (messages.empty() && picture_) messages = picture_->context().validation_messages();
+        if (messages.empty() && picture_) messages = picture_->validation_messages();
         if (!messages.empty())
             throw WorldError(fmt::format("the Vulkan validation layer has {} messages; the first: {}", messages.size(),
                                          messages.front()));

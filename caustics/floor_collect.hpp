@@ -11,7 +11,7 @@ namespace waterlight {
 
 /// What one row of samples adds to the ledger, W/m2 of surface.
 struct RowLedger {
-    double incident = 0, reflected = 0, extinguished = 0, outside = 0, lost = 0, entered = 0;
+    double incident = 0, reflected = 0, extinguished = 0, outside = 0, lost = 0, objects = 0, entered = 0;
 };
 
 /// Landed samples of the whole lattice: displacement from the base pixel (pixels) and power (W/m2 of surface).

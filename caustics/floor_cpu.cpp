@@ -68,41 +68,9 @@ void share_span(const FloorFrame& frame, int j, Span span, RowScratch& scratch, 
     }
 }
 
-/// Adds samples to the ledger as if all their light fell on the map.
-void sum_row(const RowScratch& scratch, const float* power, int count, RowLedger& row) {
-    const float* counted = scratch.samples.counted.data();
-    const float* incident = scratch.incident.data();
-    const float* transmitted = scratch.transmitted.data();
-    double in = 0, reflected = 0, extinguished = 0, entered = 0;
-#pragma omp simd reduction(+ : in, reflected, extinguished, entered)
-    for (int i = 0; i < count; ++i) {
-        in += counted[i] * incident[i];
-        reflected += counted[i] * (incident[i] - transmitted[i]);
-        extinguished += counted[i] * (transmitted[i] - power[i]);
-        entered += (1 - counted[i]) * power[i];
-    }
-    row.incident += in;
-    row.reflected += reflected;
-    row.extinguished += extinguished;
-    row.entered += entered;
-}
-
-FloorLedger total(const std::vector<RowLedger>& rows, double area_m2) {
-    FloorLedger sum;
-    for (const RowLedger& row : rows) {
-        sum.incident_w += area_m2 * row.incident;
-        sum.reflected_w += area_m2 * row.reflected;
-        sum.extinguished_w += area_m2 * row.extinguished;
-        sum.outside_w += area_m2 * row.outside;
-        sum.lost_w += area_m2 * row.lost;
-        sum.entered_w += area_m2 * row.entered;
-    }
-    return sum;
-}
-
 class FloorCpu final : public FloorMapper {
   public:
-    explicit FloorCpu(const FloorSettings& settings) : settings_(settings) {}
+    explicit FloorCpu(const FloorSettings& settings) : settings_(settings), shadows_(settings) {}
 
     std::string_view backend() const override { return "cpu"; }
 
@@ -113,7 +81,7 @@ class FloorCpu final : public FloorMapper {
         map.window = frame.window;
         std::vector<RowLedger> rows(frame.rows.count);
         const SurfaceRows reader(frame, surface);
-        land(frame, reader, rows);
+        land(frame, reader, shadows_.cast(surface, frame), rows);
         const double sum = frame.adaptive ? spreader_.collect(frame, reader, landed_, map.irradiance, rows)
                                           : collector_.collect(frame, landed_, map.irradiance);
         map.ledger = total(rows, frame.pixel_area_m2);
@@ -139,7 +107,8 @@ class FloorCpu final : public FloorMapper {
     }
 
     /// Pass 0, with the ledger of everything but the floor.
-    void land(const FloorFrame& frame, const SurfaceRows& reader, std::vector<RowLedger>& rows) {
+    void land(const FloorFrame& frame, const SurfaceRows& reader, const ShadowRows& shadows,
+              std::vector<RowLedger>& rows) {
         landed_.resize(frame);
 #pragma omp parallel
         {
@@ -150,13 +119,17 @@ class FloorCpu final : public FloorMapper {
                 reader.read(j, scratch.surface, scratch.samples);
                 land_row(frame, scratch, x, y, power);
                 std::tie(landed_.lowest[j], landed_.highest[j]) = range_of(y, frame.columns.count);
-                sum_row(scratch, power, frame.columns.count, rows[j]);
+                const SampleRowPowers powers{scratch.samples.counted.data(), scratch.incident.data(),
+                                             scratch.transmitted.data(), power};
+                sum_row(powers, frame.columns.count, rows[j]);
+                shade_row(shadows.row(j), powers, power, rows[j]);
                 if (!frame.adaptive) share_boxes(frame, j, scratch, rows[j]);
             }
         }
     }
 
     FloorSettings settings_;
+    ObjectShadows shadows_;
     LandedSamples landed_;
     FloorCollector collector_;
     FloorSpreader spreader_;

@@ -76,7 +76,43 @@ bool covers(double origin, double length, double from, double extent) {
     return origin <= from + slack && origin + length >= from + extent - slack;
 }
 
+/// Places the samples; that of base pixel (0, 0) lies at `first`.
+void lay_out(FloorFrame& frame, const FloorPlan& plan, const Grid& grid, glm::dvec2 first) {
+    // Place in cells of sample (i, j): (first + i step_x + j step_y - centre of cell 0) / cell size.
+    const glm::dvec2 cell{grid.dx_m, grid.dy_m};
+    const glm::dvec2 start = (first - glm::dvec2{grid.x_m(0), grid.y_m(0)}) / cell;
+    const glm::dvec2 step_x = plan.pitch_m.x * plan.axis_x() / cell;
+    const glm::dvec2 step_y = plan.pitch_m.y * plan.axis_y() / cell;
+    for (std::vector<SplitPlace>* places : {&frame.column_x, &frame.column_y, &frame.row_x, &frame.row_y})
+        places->clear();
+    for (int i = 0; i < frame.columns.count; ++i) {
+        const double base = frame.columns.first + i;
+        frame.column_x.push_back(split(start.x + base * step_x.x));
+        frame.column_y.push_back(split(base * step_x.y));
+    }
+    for (int j = 0; j < frame.rows.count; ++j) {
+        const double base = frame.rows.first + j;
+        frame.row_x.push_back(split(base * step_y.x));
+        frame.row_y.push_back(split(start.y + base * step_y.y));
+    }
+    frame.half_width_x = static_cast<float>(0.5 * (std::abs(step_x.x) + std::abs(step_y.x)));
+    frame.half_width_y = static_cast<float>(0.5 * (std::abs(step_x.y) + std::abs(step_y.y)));
+}
+
 }  // namespace
+
+// P_C = P_G + h L' (paper eq. 1): from a pixel back along the refracted ray to the surface at rest.
+glm::dvec2 entry_m(const FloorFrame& frame, const FloorSettings& settings, glm::dvec2 pixel) {
+    return settings.plan.position_m(pixel) - settings.depth_m * glm::dvec2(frame.light.rest_travel);
+}
+
+FloorFrame corners_of(const FloorFrame& frame, const FloorSettings& settings, const Surface& surface) {
+    FloorFrame corners = frame;
+    ++corners.columns.count;
+    ++corners.rows.count;
+    lay_out(corners, settings.plan, surface.grid, entry_m(frame, settings, {0, 0}));
+    return corners;
+}
 
 FloorFrame prepare(const FloorSettings& settings, const Surface& surface) {
     const FloorPlan& plan = settings.plan;
@@ -95,9 +131,7 @@ FloorFrame prepare(const FloorSettings& settings, const Surface& surface) {
     frame.count_base_x = periodic_x || (!frame.aligned && periodic_y);
     frame.count_base_y = periodic_y || (!frame.aligned && periodic_x);
 
-    // P_C = P_G + h L' (paper eq. 1): from a pixel back along the refracted ray to the surface at rest.
-    const glm::dvec2 first = plan.position_m({0.5, 0.5}) - settings.depth_m * glm::dvec2(frame.light.rest_travel);
-
+    const glm::dvec2 first = entry_m(frame, settings, {0.5, 0.5});
     const int hx = frame.half_samples(), hy = frame.half_channels();
     if (frame.aligned) {
         const bool whole = covers(plan.origin_m.x, plan.width * plan.pitch_m.x, grid.x0_m, grid.width_m()) &&
@@ -117,23 +151,7 @@ FloorFrame prepare(const FloorSettings& settings, const Surface& surface) {
                         "2^30. Give a smaller window or fewer, larger pixels",
                         frame.window.samples, frame.window.channels, samples));
 
-    // Place in cells of sample (i, j): (first + i step_x + j step_y - centre of cell 0) / cell size.
-    const glm::dvec2 cell{grid.dx_m, grid.dy_m};
-    const glm::dvec2 start = (first - glm::dvec2{grid.x_m(0), grid.y_m(0)}) / cell;
-    const glm::dvec2 step_x = plan.pitch_m.x * plan.axis_x() / cell;
-    const glm::dvec2 step_y = plan.pitch_m.y * plan.axis_y() / cell;
-    for (int i = 0; i < frame.columns.count; ++i) {
-        const double base = frame.columns.first + i;
-        frame.column_x.push_back(split(start.x + base * step_x.x));
-        frame.column_y.push_back(split(base * step_x.y));
-    }
-    for (int j = 0; j < frame.rows.count; ++j) {
-        const double base = frame.rows.first + j;
-        frame.row_x.push_back(split(base * step_y.x));
-        frame.row_y.push_back(split(start.y + base * step_y.y));
-    }
-    frame.half_width_x = static_cast<float>(0.5 * (std::abs(step_x.x) + std::abs(step_y.x)));
-    frame.half_width_y = static_cast<float>(0.5 * (std::abs(step_x.y) + std::abs(step_y.y)));
+    lay_out(frame, plan, grid, first);
     return frame;
 }
 

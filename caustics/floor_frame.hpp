@@ -64,6 +64,13 @@ void validate(const FloorSettings& settings);
 /// than an index can count.
 FloorFrame prepare(const FloorSettings& settings, const Surface& surface);
 
+/// The frame whose samples are the corners of those of `frame`, one more along each axis: corner (i, j) is the lower
+/// left of sample (i, j).
+FloorFrame corners_of(const FloorFrame& frame, const FloorSettings& settings, const Surface& surface);
+
+/// Where light enters that hits this place of the map (pixels) if the water is at rest.
+glm::dvec2 entry_m(const FloorFrame& frame, const FloorSettings& settings, glm::dvec2 pixel);
+
 /// The least window that holds the light of every cell of the surface, with its footprint; of the adaptive one it goes
 /// by a bound. `frame` has its light, footprint and strips.
 FloorWindow auto_window(const FloorFrame& frame, const FloorSettings& settings, const Surface& surface);

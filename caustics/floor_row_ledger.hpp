@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "caustics/floor_collect.hpp"
+#include "caustics/object_shadows.hpp"
 
 namespace waterlight {
 
@@ -20,6 +21,62 @@ struct Shares {
     std::vector<float> in_window, on_map;
     explicit Shares(int count) : in_window(count), on_map(count) {}
 };
+
+/// Powers of a row of samples, W/m2 of surface, and the part of each that the ledger counts.
+struct SampleRowPowers {
+    const float *counted, *incident, *transmitted, *arrived;
+};
+
+/// Adds samples to the ledger as if all their light fell on the map.
+inline void sum_row(const SampleRowPowers& p, int count, RowLedger& row) {
+    double in = 0, reflected = 0, extinguished = 0, entered = 0;
+#pragma omp simd reduction(+ : in, reflected, extinguished, entered)
+    for (int i = 0; i < count; ++i) {
+        in += p.counted[i] * p.incident[i];
+        reflected += p.counted[i] * (p.incident[i] - p.transmitted[i]);
+        extinguished += p.counted[i] * (p.transmitted[i] - p.arrived[i]);
+        entered += (1 - p.counted[i]) * p.arrived[i];
+    }
+    row.incident += in;
+    row.reflected += reflected;
+    row.extinguished += extinguished;
+    row.entered += entered;
+}
+
+/// Takes from a sample what objects stop of it, of the ledger as sum_row() filled it.
+inline void shade_sample(const f64::SampleShadow& shadow, double counted, double incident, double transmitted,
+                         double arrived, RowLedger& row) {
+    const f64::ShadedLight light = f64::shade(shadow, incident, transmitted, arrived);
+    row.reflected += counted * (light.reflected - (incident - transmitted));
+    row.extinguished += counted * (light.extinguished - (transmitted - arrived));
+    row.objects += counted * light.objects;
+    row.entered += (1 - counted) * (light.arrived - arrived);
+}
+
+/// The same for the samples of a row, and takes it from what arrives.
+inline void shade_row(std::span<const ShadowedSample> shadows, const SampleRowPowers& p, float* arrived,
+                      RowLedger& row) {
+    for (const ShadowedSample& s : shadows) {
+        const int i = s.column;
+        shade_sample(s.shadow, p.counted[i], p.incident[i], p.transmitted[i], arrived[i], row);
+        arrived[i] = static_cast<float>(f64::shade(s.shadow, 0, 0, arrived[i]).arrived);
+    }
+}
+
+/// All rows, of samples of this area; without what landed on the map.
+inline FloorLedger total(const std::vector<RowLedger>& rows, double area_m2) {
+    FloorLedger sum;
+    for (const RowLedger& row : rows) {
+        sum.incident_w += area_m2 * row.incident;
+        sum.reflected_w += area_m2 * row.reflected;
+        sum.extinguished_w += area_m2 * row.extinguished;
+        sum.outside_w += area_m2 * row.outside;
+        sum.lost_w += area_m2 * row.lost;
+        sum.objects_w += area_m2 * row.objects;
+        sum.entered_w += area_m2 * row.entered;
+    }
+    return sum;
+}
 
 /// Base pixels whose samples fall on the map from side to side wherever in the window they land.
 inline Span inner_columns(const FloorFrame& frame) {

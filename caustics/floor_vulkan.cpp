@@ -12,12 +12,14 @@
 #include "caustics/floor_frame.hpp"
 #include "caustics/floor_samples.hpp"
 #include "caustics/kernels/surface_lookup.hpp"
+#include "caustics/object_shadows.hpp"
 #include "gpu/buffer.hpp"
 #include "gpu/commands.hpp"
 #include "gpu/pass.hpp"
 #include "shaders/floor_gather.hpp"
 #include "shaders/floor_gather_adaptive.hpp"
 #include "shaders/floor_land.hpp"
+#include "shaders/floor_land_shaded.hpp"
 #include "shaders/floor_sum.hpp"
 #include "sim/error.hpp"
 
@@ -89,9 +91,16 @@ int band_rows(const FloorFrame& frame) {
 class FloorVulkan final : public FloorMapper {
   public:
     FloorVulkan(const FloorSettings& settings, std::shared_ptr<gpu::Context> context)
-        : settings_(settings), context_(std::move(context)), commands_(context_) {
+        : settings_(settings),
+          shaded_(settings.objects && !settings.objects->empty()),
+          find_shadows_(settings),
+          context_(std::move(context)),
+          commands_(context_) {
         constexpr std::uint32_t push = sizeof(FloorParameters);
-        land_.emplace(context_, gpu::PassSettings{"floor: land", shaders::floor_land, 6, push, row_workgroup});
+        const auto land =
+            shaded_ ? gpu::PassSettings{"floor: land shaded", shaders::floor_land_shaded, 7, push, row_workgroup}
+                    : gpu::PassSettings{"floor: land", shaders::floor_land, 6, push, row_workgroup};
+        land_.emplace(context_, land);
         const auto gather =
             settings.footprint == Footprint::adaptive
                 ? gpu::PassSettings{"floor: gather adaptive", shaders::floor_gather_adaptive, 2, push, tile_workgroup}
@@ -133,7 +142,12 @@ class FloorVulkan final : public FloorMapper {
         reserve<FloorRowLedger>(ledger_, std::int64_t{frame.rows.count} * row_workgroup[0], BufferUse::to_host);
         reserve<float>(channels_, width * rows * frame.window.channels, BufferUse::device);
         reserve<float>(map_, width * frame.map_height, BufferUse::to_host);
-        land_->bind({&*places_, &*elevation_, &*slope_x_, &*slope_y_, &*landed_, &*ledger_});
+        if (shaded_) {
+            reserve<float>(shadows_, 3 * columns * frame.rows.count, BufferUse::from_host);
+            land_->bind({&*places_, &*elevation_, &*slope_x_, &*slope_y_, &*landed_, &*ledger_, &*shadows_});
+        } else {
+            land_->bind({&*places_, &*elevation_, &*slope_x_, &*slope_y_, &*landed_, &*ledger_});
+        }
         gather_->bind({&*landed_, &*channels_});
         sum_->bind({&*channels_, &*map_});
     }
@@ -146,10 +160,26 @@ class FloorVulkan final : public FloorMapper {
         std::ranges::copy(surface.elevation.values(), elevation_->host<float>().begin());
         std::ranges::copy(surface.slope_x.values(), slope_x_->host<float>().begin());
         std::ranges::copy(surface.slope_y.values(), slope_y_->host<float>().begin());
+        if (shaded_) write_shadows(frame, surface);
+    }
+
+    /// Found on the CPU: three numbers a sample.
+    void write_shadows(const FloorFrame& frame, const Surface& surface) {
+        const ShadowRows rows = find_shadows_.cast(surface, frame);
+        const std::span<float> to = shadows_->host<float>();
+        std::ranges::fill(to, 0.0F);
+        for (int j = 0; j < frame.rows.count; ++j)
+            for (const ShadowedSample& s : rows.row(j)) {
+                float* at = to.data() + 3 * (static_cast<std::ptrdiff_t>(j) * frame.columns.count + s.column);
+                at[0] = static_cast<float>(s.shadow.above);
+                at[1] = static_cast<float>(s.shadow.below);
+                at[2] = static_cast<float>(s.shadow.stopped);
+            }
     }
 
     void record(const FloorFrame& frame, const Surface& surface, int rows) {
         for (const Storage* from_host : {&places_, &elevation_, &slope_x_, &slope_y_}) commands_.upload(**from_host);
+        if (shaded_) commands_.upload(*shadows_);
         commands_.clear(*map_);
         FloorParameters push = parameters(frame, surface);
         for (int begin = 0; begin < frame.rows.count; begin += rows) {
@@ -180,6 +210,7 @@ class FloorVulkan final : public FloorMapper {
             map.ledger.outside_w += area * part.outside;
             map.ledger.lost_w += area * part.lost;
             map.ledger.entered_w += area * part.entered;
+            map.ledger.objects_w += area * part.objects;
         }
         double sum = 0;
         const std::span<const float> pixels = map_->host<float>().first(map.irradiance.size());
@@ -189,9 +220,11 @@ class FloorVulkan final : public FloorMapper {
     }
 
     FloorSettings settings_;
+    bool shaded_;  ///< there are objects
+    ObjectShadows find_shadows_;
     std::shared_ptr<gpu::Context> context_;
     std::optional<gpu::Pass> land_, gather_, sum_;
-    Storage places_, elevation_, slope_x_, slope_y_, landed_, ledger_, channels_, map_;
+    Storage places_, elevation_, slope_x_, slope_y_, landed_, ledger_, channels_, map_, shadows_;
     gpu::Commands commands_;
 };
 

@@ -9,6 +9,8 @@
 #include "caustics/floor_frame.hpp"
 #include "caustics/kernels/optics.hpp"
 #include "caustics/kernels/surface_lookup.hpp"
+#include "caustics/landed_corner.hpp"
+#include "caustics/object_shadows.hpp"
 #include "sim/error.hpp"
 
 namespace waterlight {
@@ -59,13 +61,6 @@ class Between {
     Boundary boundary_;
 };
 
-/// A corner of the mesh: where it lies, where its light lands (pixels), what of it enters and arrives.
-struct Corner {
-    glm::dvec3 start_m{0, 0, 0};
-    glm::dvec2 pixel{0, 0};
-    double transmittance = 0, remaining = 0;
-};
-
 /// The mesh: columns [first, end) and rows of pixels' width, pixel (0, 0) being the domain's first.
 struct Mesh {
     glm::ivec2 first{0, 0}, end{0, 0};
@@ -107,12 +102,16 @@ class ReliefLight {
         return mesh;
     }
 
-    Part carry_rows(const Mesh& mesh, int begin, int end) const {
-        std::vector<std::vector<Corner>> rows;
+    /// Where light enters above a place of the map, and where it lands.
+    LightWay way(glm::dvec2 pixel) const { return landing(pixel).way; }
+    double lowest_m() const { return lowest_m_; }
+
+    Part carry_rows(const Mesh& mesh, const ShadowRows& shadows, int begin, int end) const {
+        std::vector<std::vector<LandedCorner>> rows;
         double lowest = 1e300, highest = -1e300;
         for (int j = begin; j <= end; ++j) {
             rows.push_back(corner_row(mesh, j));
-            for (const Corner& c : rows.back()) {
+            for (const LandedCorner& c : rows.back()) {
                 lowest = std::min(lowest, c.pixel.y);
                 highest = std::max(highest, c.pixel.y);
             }
@@ -130,8 +129,9 @@ class ReliefLight {
             for (std::size_t i = 0; i + 1 < low.size(); ++i) {
                 const int column = mesh.first.x + static_cast<int>(i);
                 const bool own = column >= 0 && column < s_.floor.plan.width && j >= 0 && j < s_.floor.plan.height;
-                carry(low[i], low[i + 1], high[i + 1], own, shares, part);
-                carry(low[i], high[i + 1], high[i], own, shares, part);
+                const f64::SampleShadow* shadow = shadows.of(static_cast<int>(i), j - mesh.first.y);
+                carry({low[i], low[i + 1], high[i + 1]}, own, shadow, shares, part);
+                carry({low[i], high[i + 1], high[i]}, own, shadow, shares, part);
             }
         }
         return part;
@@ -192,33 +192,45 @@ class ReliefLight {
         return d1;
     }
 
-    std::vector<Corner> corner_row(const Mesh& mesh, int j) const {
-        std::vector<Corner> row;
+    struct Landing {
+        LightWay way;
+        double transmittance = 0, path_m = 0;
+    };
+
+    Landing landing(glm::dvec2 pixel) const {
+        const glm::dvec2 at = s_.floor.plan.position_m(pixel);
+        const Between::Place p = between_.place(at);
+        const double water = p.x.water * p.y.water;
+        const double climb = f64::wraps_between(p.x) * climb_.x + f64::wraps_between(p.y) * climb_.y;
+        const double elevation = water * (Between::value(surface_.elevation, p) + climb);
+        const f64::Refraction r =
+            refract(water * glm::dvec2{Between::slope_x(surface_.slope_x, p), Between::slope_y(surface_.slope_y, p)});
+        const glm::dvec3 start{at, elevation};
+        const double descent = descent_m(start, r.travel);
+        return {{start, {at + descent * r.travel, elevation - descent}}, r.transmittance, descent * r.path};
+    }
+
+    std::vector<LandedCorner> corner_row(const Mesh& mesh, int j) const {
+        std::vector<LandedCorner> row;
         row.reserve(static_cast<std::size_t>(mesh.end.x - mesh.first.x) + 1);
         for (int i = mesh.first.x; i <= mesh.end.x; ++i) {
-            const glm::dvec2 at = s_.floor.plan.position_m({i, j});
-            const Between::Place p = between_.place(at);
-            const double water = p.x.water * p.y.water;
-            const double climb = f64::wraps_between(p.x) * climb_.x + f64::wraps_between(p.y) * climb_.y;
-            const double elevation = water * (Between::value(surface_.elevation, p) + climb);
-            const f64::Refraction r = refract(
-                water * glm::dvec2{Between::slope_x(surface_.slope_x, p), Between::slope_y(surface_.slope_y, p)});
-            const glm::dvec3 start{at, elevation};
-            const double descent = descent_m(start, r.travel);
-            row.push_back({start, s_.floor.plan.pixel(at + descent * r.travel), r.transmittance,
-                           f64::beer_lambert(s_.floor.optics.extinction_per_m(), descent * r.path)});
+            const Landing l = landing({i, j});
+            row.push_back({l.way.enters_m, s_.floor.plan.pixel(glm::dvec2(l.way.lands_m)), l.transmittance,
+                           f64::beer_lambert(s_.floor.optics.extinction_per_m(), l.path_m)});
         }
         return row;
     }
 
-    /// Sends the light of a triangle to the pixels; `own` light is of the domain. Its power is that through its plane.
-    void carry(const Corner& a, const Corner& b, const Corner& c, bool own, CellShares& shares, Part& part) const {
-        const glm::dvec3 twice_area = glm::cross(b.start_m - a.start_m, c.start_m - a.start_m);
-        const double incident = std::max(0.0, -0.5 * glm::dot(sun_, twice_area)) * irradiance_;
-        const double entered = incident * (a.transmittance + b.transmittance + c.transmittance) / 3;
-        const double arrived = entered * (a.remaining + b.remaining + c.remaining) / 3;
+    /// Sends the light of a triangle to the pixels; `own` light is of the domain.
+    void carry(const std::array<LandedCorner, 3>& t, bool own, const f64::SampleShadow* shadow, CellShares& shares,
+               Part& part) const {
+        const TrianglePower of_one = triangle_power(t[0], t[1], t[2], sun_);
+        const double incident = of_one.incident * irradiance_, entered = of_one.entered * irradiance_;
+        const f64::ShadedLight light = f64::shade(shadow != nullptr ? *shadow : f64::SampleShadow{0, 0, 0}, incident,
+                                                  entered, of_one.arrived * irradiance_);
+        const double arrived = light.arrived;
         double on_map = 0;
-        shares.share(std::array{a.pixel, b.pixel, c.pixel}, [&](int i, int j, double share) {
+        shares.share(std::array{t[0].pixel, t[1].pixel, t[2].pixel}, [&](int i, int j, double share) {
             const int width = s_.floor.plan.width, row = j - part.first_row;
             if (surface_.boundary.x == Side::periodic) i = ((i % width) + width) % width;
             if (i < 0 || i >= width || row < 0 || row >= part.power_w.ny()) return;
@@ -230,8 +242,9 @@ class ReliefLight {
             return;
         }
         part.ledger.incident_w += incident;
-        part.ledger.reflected_w += incident - entered;
-        part.ledger.extinguished_w += entered - arrived;
+        part.ledger.reflected_w += light.reflected;
+        part.ledger.extinguished_w += light.extinguished;
+        part.ledger.objects_w += light.objects;
         part.ledger.outside_w += arrived - on_map;
     }
 
@@ -255,7 +268,7 @@ void add(const FloorLedger& from, FloorLedger& to) {
 
 class ReliefFloor final : public FloorMapper {
   public:
-    explicit ReliefFloor(ReliefSettings settings) : s_(std::move(settings)) { validate(s_.floor); }
+    explicit ReliefFloor(ReliefSettings settings) : s_(std::move(settings)), shadows_(s_.floor) { validate(s_.floor); }
     std::string_view backend() const override { return "cpu"; }
 
     void compute(const Surface& surface, FloorMap& map) override {
@@ -263,6 +276,8 @@ class ReliefFloor final : public FloorMapper {
         const FloorPlan& plan = s_.floor.plan;
         const ReliefLight light(s_, surface);
         const Mesh mesh = light.mesh();
+        const ShadowRows shadows =
+            shadows_.cast(surface, lattice(light, mesh), [&light](glm::dvec2 pixel) { return light.way(pixel); });
         Field<double> power(plan.width, plan.height);
         map.ledger = {};
         map.window = {1, 1};
@@ -272,7 +287,7 @@ class ReliefFloor final : public FloorMapper {
 #pragma omp parallel for schedule(static, 1) ordered
         for (int b = 0; b < bands; ++b) {
             const int begin = mesh.first.y + b * band;
-            const Part part = light.carry_rows(mesh, begin, std::min(mesh.end.y, begin + band));
+            const Part part = light.carry_rows(mesh, shadows, begin, std::min(mesh.end.y, begin + band));
 #pragma omp ordered
             {
                 add(part.ledger, map.ledger);
@@ -286,6 +301,11 @@ class ReliefFloor final : public FloorMapper {
     }
 
   private:
+    ShadowLattice lattice(const ReliefLight& light, const Mesh& mesh) const {
+        const glm::ivec2 count = mesh.end - mesh.first;
+        return {s_.floor.plan, {0, 0}, {mesh.first.x, count.x}, {mesh.first.y, count.y}, light.lowest_m()};
+    }
+
     void check(const Surface& surface) const {
         const Grid& g = surface.grid;
         const FloorPlan& plan = s_.floor.plan;
@@ -313,6 +333,7 @@ class ReliefFloor final : public FloorMapper {
     }
 
     ReliefSettings s_;
+    ObjectShadows shadows_;
 };
 
 }  // namespace

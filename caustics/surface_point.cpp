@@ -1,5 +1,8 @@
 #include "caustics/surface_point.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "caustics/axis_place.hpp"
 
 namespace waterlight {
@@ -31,6 +34,23 @@ SurfacePoint surface_point(const Surface& surface, glm::dvec2 at_m) {
         water * (mix(surface.elevation, x, y) + climbed),
         water * glm::dvec2{mix(surface.slope_x, x, y, x.mirror_low, x.mirror_high), mix_rows(surface.slope_y, x, y)},
         0};
+}
+
+double steepest_slope(const Surface& surface) {
+    const Grid& g = surface.grid;
+    const glm::dvec2 climb = surface.tilt * glm::dvec2{g.width_m(), g.height_m()};
+    const bool round_x = surface.boundary.x == Side::periodic, round_y = surface.boundary.y == Side::periodic;
+    glm::dvec2 steps{0, 0};
+    for (int j = 0; j < g.ny; ++j) {
+        const float* here = surface.elevation.row(j);
+        const float* next = surface.elevation.row((j + 1) % g.ny);
+        const bool last = j + 1 == g.ny;
+        for (int i = 0; i + 1 < g.nx; ++i) steps.x = std::max<double>(steps.x, std::abs(here[i + 1] - here[i]));
+        if (round_x) steps.x = std::max(steps.x, std::abs(here[0] + climb.x - here[g.nx - 1]));
+        if (last && !round_y) continue;
+        for (int i = 0; i < g.nx; ++i) steps.y = std::max(steps.y, std::abs(next[i] + (last ? climb.y : 0) - here[i]));
+    }
+    return std::hypot(steps.x / g.dx_m, steps.y / g.dy_m);
 }
 
 }  // namespace waterlight

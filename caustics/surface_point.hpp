@@ -10,4 +10,8 @@ namespace waterlight {
 /// beyond absorbing sides the water is still.
 SurfacePoint surface_point(const Surface& surface, glm::dvec2 at_m);
 
+/// A bound on the slope between the cells' elevations, those on both sides of a periodic side included: of the bilinear
+/// surface, and of triangles through the cells' centres.
+double steepest_slope(const Surface& surface);
+
 }  // namespace waterlight

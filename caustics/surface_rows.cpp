@@ -112,7 +112,6 @@ void SurfaceRows::read_cells(int row, CellRow& out, std::vector<float>& with_gho
 }
 
 void SurfaceRows::read_aligned(int j, Scratch& scratch, SampleRow& out) const {
-    const Side side = surface_.boundary.y;
     const f32::AxisPlace p = place_y(frame_, surface_, frame_.row_y[j]);
     if (scratch.low.row != p.low) std::swap(scratch.low, scratch.high);
     if (scratch.low.row != p.low) read_cells(p.low, scratch.low, scratch.with_ghosts);
@@ -124,9 +123,17 @@ void SurfaceRows::read_aligned(int j, Scratch& scratch, SampleRow& out) const {
     blend(low.slope_x, low_part, high.slope_x, high_part, 0, out.slope_x);
     blend(low.slope_y, low_part * p.mirror_low, high.slope_y, high_part * p.mirror_high, 0, out.slope_y);
 
-    const float lit_y = f32::lit_part(p, side_number(side));
-    blend(lit_x_, lit_y, lit_x_, 0, 0, out.lit);
+    read_lit(j, out.lit);
     read_counted(j, out.counted);
+}
+
+void SurfaceRows::read_lit(int j, std::vector<float>& lit) const {
+    const int side_x = side_number(surface_.boundary.x), side_y = side_number(surface_.boundary.y);
+    if (frame_.aligned)
+        return blend(lit_x_, f32::lit_part(place_y(frame_, surface_, frame_.row_y[j]), side_y), lit_x_, 0, 0, lit);
+    for (int i = 0; i < frame_.columns.count; ++i)
+        lit[i] = f32::lit_part(place_x(frame_, surface_, frame_.column_x[i] + frame_.row_x[j]), side_x) *
+                 f32::lit_part(place_y(frame_, surface_, frame_.column_y[i] + frame_.row_y[j]), side_y);
 }
 
 void SurfaceRows::read_counted(int j, std::vector<float>& counted) const {
@@ -146,7 +153,6 @@ void SurfaceRows::read_counted(int j, std::vector<float>& counted) const {
 
 void SurfaceRows::read_turned(int j, SampleRow& out) const {
     const Surface& s = surface_;
-    const int side_x = side_number(s.boundary.x), side_y = side_number(s.boundary.y);
     for (int i = 0; i < frame_.columns.count; ++i) {
         const f32::AxisPlace px = place_x(frame_, s, frame_.column_x[i] + frame_.row_x[j]);
         const f32::AxisPlace py = place_y(frame_, s, frame_.column_y[i] + frame_.row_y[j]);
@@ -165,8 +171,8 @@ void SurfaceRows::read_turned(int j, SampleRow& out) const {
         out.elevation[i] = between(s.elevation) + climb_x + climb_y;
         out.slope_x[i] = mirrored(s.slope_x, px.mirror_low, px.mirror_high, 1, 1);
         out.slope_y[i] = mirrored(s.slope_y, 1, 1, py.mirror_low, py.mirror_high);
-        out.lit[i] = f32::lit_part(px, side_x) * f32::lit_part(py, side_y);
     }
+    read_lit(j, out.lit);
     read_counted(j, out.counted);
 }
 

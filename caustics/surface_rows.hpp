@@ -34,6 +34,8 @@ class SurfaceRows {
     Scratch scratch() const;
     /// Fills `out` with row j of the lattice.
     void read(int j, Scratch& scratch, SampleRow& out) const;
+    /// The part of each sample of row j that light reaches.
+    void read_lit(int j, std::vector<float>& lit) const;
     /// The part of each sample of row j that the ledger counts.
     void read_counted(int j, std::vector<float>& counted) const;
 

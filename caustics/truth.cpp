@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "caustics/floor_frame.hpp"
+#include "caustics/landed_corner.hpp"
 #include "caustics/polygon.hpp"
 #include "caustics/truth_ray.hpp"
 #include "sim/error.hpp"
@@ -22,14 +23,6 @@ struct Mesh {
     }
 };
 
-/// A landed corner of the mesh, in pixels of the map.
-struct Corner {
-    glm::dvec3 start_m;
-    glm::dvec2 pixel;
-    double transmittance;
-    double remaining;
-};
-
 /// Powers in watts.
 struct Powers {
     double incident = 0, reflected = 0, extinguished = 0, outside = 0;
@@ -42,7 +35,7 @@ struct Partial {
     Powers powers;
 };
 
-using Row = std::vector<Corner>;
+using Row = std::vector<LandedCorner>;
 
 Row land_row(const TruthCaster& caster, const FloorPlan& plan, const Mesh& mesh, int j) {
     Row row(mesh.nx + 1);
@@ -53,13 +46,12 @@ Row land_row(const TruthCaster& caster, const FloorPlan& plan, const Mesh& mesh,
     return row;
 }
 
-/// Sends the light of one surface triangle to the pixels. Its incident power is that through its own plane, -s.A E0, so
-/// that without refraction landed power over landed area is E0 sin(elevation) to rounding.
-void carry(const TruthCaster& caster, const Corner& a, const Corner& b, const Corner& c, Partial& out) {
-    const glm::dvec3 twice_area = glm::cross(b.start_m - a.start_m, c.start_m - a.start_m);
-    const double incident = std::max(0.0, -0.5 * glm::dot(caster.direction(), twice_area)) * caster.irradiance();
-    const double entered = incident * (a.transmittance + b.transmittance + c.transmittance) / 3;
-    const double arrived = entered * (a.remaining + b.remaining + c.remaining) / 3;
+/// Sends the light of one surface triangle to the pixels.
+void carry(const TruthCaster& caster, const LandedCorner& a, const LandedCorner& b, const LandedCorner& c,
+           Partial& out) {
+    const TrianglePower of_one = triangle_power(a, b, c, caster.direction());
+    const double incident = of_one.incident * caster.irradiance(), entered = of_one.entered * caster.irradiance(),
+                 arrived = of_one.arrived * caster.irradiance();
     out.powers.incident += incident;
     out.powers.reflected += incident - entered;
     out.powers.extinguished += entered - arrived;
@@ -95,7 +87,7 @@ Partial carry_rows(const TruthCaster& caster, const FloorPlan& plan, const Mesh&
     double lowest = 1e300, highest = -1e300;
     for (int j = begin; j <= end; ++j) {
         corners.push_back(land_row(caster, plan, mesh, j));
-        for (const Corner& c : corners.back()) {
+        for (const LandedCorner& c : corners.back()) {
             lowest = std::min(lowest, c.pixel.y);
             highest = std::max(highest, c.pixel.y);
         }

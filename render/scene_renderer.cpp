@@ -16,6 +16,7 @@
 #include "render/passes/sky.hpp"
 #include "render/passes/tone.hpp"
 #include "render/passes/water.hpp"
+#include "render/surface_levels.hpp"
 
 namespace waterlight {
 
@@ -36,20 +37,6 @@ std::vector<glm::vec4> palette_of(Overlay overlay) {
 }
 
 std::span<const float> floats(std::span<const glm::vec4> all) { return {&all.data()->x, 4 * all.size()}; }
-
-/// The ground's heights with a margin of one cell, as high as the cells beside it.
-std::vector<float> padded_ground(const Surface& surface, const Field<float>& ground) {
-    const int nx = ground.nx(), ny = ground.ny();
-    const auto beside = [](int k, int n, Side side) {
-        return side == Side::periodic ? (k + n) % n : std::clamp(k, 0, n - 1);
-    };
-    std::vector<float> all;
-    all.reserve(static_cast<std::size_t>(nx + 2) * static_cast<std::size_t>(ny + 2));
-    for (int j = -1; j <= ny; ++j)
-        for (int i = -1; i <= nx; ++i)
-            all.push_back(ground(beside(i, nx, surface.boundary.x), beside(j, ny, surface.boundary.y)));
-    return all;
-}
 
 }  // namespace
 

@@ -10,15 +10,10 @@
 #include "gpu/context.hpp"
 #include "gpu/raster.hpp"
 #include "render/look.hpp"
+#include "render/radiance.hpp"
 #include "render/scene.hpp"
 
 namespace waterlight {
-
-/// Red, green and blue of each pixel one after the other, rows from the lowest up.
-struct Radiance {
-    glm::ivec2 size{0, 0};
-    std::vector<float> rgb;  ///< W/(m2 sr), before the tone curve
-};
 
 /// Draws the passes that a scene needs, in their order: the water's surface, ground, basin, sky, beams, tone curve.
 /// Holds its buffers and targets between pictures.

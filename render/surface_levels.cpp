@@ -152,4 +152,17 @@ void fill_levels(const Surface& s, const Field<float>* ground, SurfaceLevels& ou
     std::fill_n(out.cells.begin() + out.beyond.offset, cells_of(out.beyond), far);
 }
 
+std::vector<float> padded_ground(const Surface& surface, const Field<float>& ground) {
+    const int nx = ground.nx(), ny = ground.ny();
+    const auto beside = [](int k, int n, Side side) {
+        return side == Side::periodic ? (k + n) % n : std::clamp(k, 0, n - 1);
+    };
+    std::vector<float> all;
+    all.reserve(static_cast<std::size_t>(nx + 2) * static_cast<std::size_t>(ny + 2));
+    for (int j = -1; j <= ny; ++j)
+        for (int i = -1; i <= nx; ++i)
+            all.push_back(ground(beside(i, nx, surface.boundary.x), beside(j, ny, surface.boundary.y)));
+    return all;
+}
+
 }  // namespace waterlight

@@ -32,4 +32,7 @@ struct SurfaceLevels {
 /// below the ground: the shore is where the two meshes cross.
 void fill_levels(const Surface& surface, const Field<float>* ground_m, SurfaceLevels& levels);
 
+/// The ground's heights with a margin of one cell, as high as the cells beside it.
+std::vector<float> padded_ground(const Surface& surface, const Field<float>& ground_m);
+
 }  // namespace waterlight

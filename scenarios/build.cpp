@@ -67,6 +67,8 @@ BuiltModel built(std::unique_ptr<Model> model, const Model* BuiltModel::*own) {
 
 bool has_vulkan_model(const Scenario& scenario) { return resolve_model(scenario).model == ModelChoice::shallow_water; }
 
+bool has_vulkan_method(FloorMethod method) { return method == FloorMethod::two_pass || method == FloorMethod::splat; }
+
 BuiltModel build_model(const Scenario& scenario, const std::shared_ptr<gpu::Context>& context) {
     switch (resolve_model(scenario).model) {
         case ModelChoice::linear: {

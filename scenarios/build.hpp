@@ -27,6 +27,9 @@ struct BuiltModel {
 /// Whether the scenario's wave model can compute on a Vulkan device.
 bool has_vulkan_model(const Scenario& scenario);
 
+/// Whether the method computes on one. One that does not leaves all to the CPU.
+bool has_vulkan_method(FloorMethod method);
+
 /// `context` is the device that was chosen, or null for the CPU: models that can then compute there. Throws InputError
 /// where a data file cannot be used, gpu::Error where the device fails or cannot hold the model.
 BuiltModel build_model(const Scenario& scenario, const std::shared_ptr<gpu::Context>& context = nullptr);

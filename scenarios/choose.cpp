@@ -100,21 +100,36 @@ glm::ivec2 counts(const LightDemand& light, glm::dvec2 size_m, glm::ivec2 stated
     return glm::ivec2(glm::clamp(glm::ceil(size_m / pitch), glm::dvec2(16), glm::dvec2(8192)));
 }
 
+glm::dvec2 vertex_pitch_m(const Scenario& s) {
+    return glm::dvec2(std::sqrt(s.domain.size_m.x * s.domain.size_m.y / vertices_of(s)));
+}
+
+/// Relative standard error of a map of even light: of stratified photons, less than that of free ones.
+double photon_noise(const Scenario& s, glm::ivec2 pixels) {
+    const glm::dvec2 domain = s.domain.size_m, map = s.floor->size_m.value_or(domain);
+    const double on_map = photons_of(s) * std::min(1.0, map.x * map.y / (domain.x * domain.y));
+    const double noise = std::sqrt(pixels.x * static_cast<double>(pixels.y) / on_map);
+    return s.floor->photons.tolerance > 0 ? std::max(noise, s.floor->photons.tolerance) : noise;
+}
+
 void size_floor(const Scenario& s, LightDemand& light) {
     const FloorSection& floor = *s.floor;
+    light.method = floor.method;
     const double per_pixel = floor.samples_per_pixel;
     const glm::dvec2 size = floor.size_m.value_or(s.domain.size_m);
-    const bool truth = floor.method == FloorMethod::truth, wide = floor.footprint == Footprint::pixel;
+    const bool two_pass = floor.method == FloorMethod::two_pass, wide = two_pass && floor.footprint == Footprint::pixel;
+    const bool resolves = two_pass || floor.method == FloorMethod::quads || floor.method == FloorMethod::splat;
     const double wanted = adaptive_error(s, light) / s.accuracy.tolerance;  // samples of the strongest wave
-    const double pitch = truth || wide || !(wanted > 0) ? std::numeric_limits<double>::infinity()
-                                                        : per_pixel * light.strongest_m / wanted;
+    const double pitch = !resolves || wide || !(wanted > 0) ? std::numeric_limits<double>::infinity()
+                                                            : per_pixel * light.strongest_m / wanted;
     light.pixels = counts(light, size, floor.pixels, pitch);
     const glm::dvec2 sample_m = size / glm::dvec2(light.pixels) / per_pixel;
     const glm::dvec2 reach = light.reach_m / sample_m;
     const glm::dvec2 spread = wide ? glm::dvec2(0) : glm::min(glm::dvec2(light.spread), reach);
     light.window = 2 * glm::ivec2(glm::ceil(reach + spread)) + 1;
-    judge_footprints(s, sample_m, light);
-    if (truth) light.footprint_error = floor.tolerance;
+    judge_footprints(s, floor.method == FloorMethod::splat ? glm::max(sample_m, vertex_pitch_m(s)) : sample_m, light);
+    if (floor.method == FloorMethod::truth) light.footprint_error = floor.tolerance;
+    if (floor.method == FloorMethod::photons) light.footprint_error = photon_noise(s, light.pixels);
 }
 
 /// Pixels, beams and what they cost, once the surface's cells are known.
@@ -209,6 +224,10 @@ std::string Decision::warning() const {
 
 std::string Decision::light_warning() const {
     if (light.pixels.x == 0 || light.footprint_error <= tolerance) return {};
+    if (light.method == FloorMethod::photons)
+        return fmt::format(
+            "the floor map is noisy: by some {}, of {} allowed; more caustics.floor.photons.passes would leave less",
+            percent(light.footprint_error), percent(tolerance));
     return fmt::format(
         "the floor map is not resolved: its footprint leaves some {}, of {} allowed; more pixels or "
         "samples_per_pixel with footprint \"adaptive\" would leave less",

@@ -18,12 +18,13 @@ struct LightDemand {
     double focus_m = 0;          ///< depth of its first focus; infinity without waves
     glm::dvec2 reach_m{0, 0};    ///< how far along the map's axes the steepest slopes throw their light
     double spread = 0;           ///< by how much the widest footprint exceeds its sample, in samples
-    double footprint_error = 0;  ///< RMSE of the floor map by the footprint in use, relative; the contrast at most
+    double footprint_error = 0;  ///< RMSE of the floor map by its method, relative; the contrast at most
     double pixel_error = 0;      ///< the same, were it the pixel-wide one
     glm::ivec2 pixels{0, 0};     ///< of the floor map, as stated or chosen
     glm::ivec2 window{0, 0};     ///< samples and channels that hold reach_m
     glm::ivec2 beams{0, 0};      ///< of the beam grid, as stated or chosen
     double seconds = 0;          ///< of all of it, whole run
+    FloorMethod method = FloorMethod::two_pass;
 };
 
 /// Why the waves of a scene are beyond every model.

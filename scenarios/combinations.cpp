@@ -108,18 +108,30 @@ void check_output(const Scenario& s) {
                         fmt::format("at most {:.0f} rows", most_rows));
 }
 
+/// Refuses keys of the map that its method does not use.
+void require_method(const Scenario& s, const std::string& name, const std::vector<FloorMethod>& methods) {
+    const std::string key = "caustics.floor." + name;
+    const FloorMethod method = s.floor->method;
+    if (!s.origin.places.contains(key) || std::find(methods.begin(), methods.end(), method) != methods.end()) return;
+    std::string names;
+    for (const FloorMethod m : methods) names += (names.empty() ? "" : " or ") + std::string(name_of(m));
+    s.origin.reject(key, fmt::format("it beside method = \"{}\"", name_of(method)), "method " + names);
+}
+
+// [caustics.floor.splat] and .photons may stand beside any method: a sweep varies it.
 void check_floor(const Scenario& s) {
     if (!s.floor) return;
+    using enum FloorMethod;
     const FloorSection& floor = *s.floor;
-    const bool truth = floor.method == FloorMethod::truth;
-    if (truth && floor.window)
-        s.origin.reject("caustics.floor.window", "it beside method = \"truth\"", "method two-pass");
-    for (const std::string key : {"caustics.floor.samples_per_pixel", "caustics.floor.footprint"})
-        if (truth && s.origin.places.contains(key))
-            s.origin.reject(key, "it beside method = \"truth\"", "method two-pass");
-    for (const std::string key : {"caustics.floor.tolerance", "caustics.floor.most_subsamples"})
-        if (!truth && s.origin.places.contains(key))
-            s.origin.reject(key, "it beside method = \"two-pass\"", "method truth");
+    if (floor.window) require_method(s, "window", {two_pass});
+    require_method(s, "footprint", {two_pass});
+    require_method(s, "samples_per_pixel", {two_pass, quads});
+    require_method(s, "tolerance", {truth});
+    require_method(s, "most_subsamples", {truth});
+    if (floor.photons.tolerance > 0 && floor.photons.passes < 2)
+        s.origin.reject("caustics.floor.photons.passes",
+                        fmt::format("{} beside tolerance = {}", floor.photons.passes, floor.photons.tolerance),
+                        "2 or more, between which an error is estimated");
     if (floor.window && floor.window->samples % 2 == 0)
         s.origin.reject("caustics.floor.window.samples", fmt::format("{}", floor.window->samples),
                         "an odd integer >= 1");
@@ -160,9 +172,7 @@ void check_probes(const Scenario& s) {
     for (std::size_t i = 0; i < s.probes.size(); ++i) {
         const std::string& name = s.probes[i].name;
         const std::string key = fmt::format("probe[{}].", i);
-        const auto plain = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-'; };
-        if (name.empty() || !std::all_of(name.begin(), name.end(), plain))
-            s.origin.reject(key + "name", fmt::format("\"{}\"", name), "letters, digits, _ and -");
+        if (!is_plain_name(name)) s.origin.reject(key + "name", fmt::format("\"{}\"", name), plain_names);
         if (!names.insert(name).second)
             s.origin.reject(key + "name", fmt::format("\"{}\" twice", name), "one probe a name");
         require_inside(s, key + "at_m", s.probes[i].at_m);
@@ -177,6 +187,11 @@ void require_model(const Scenario& s, bool stated, std::string_view key, const s
     std::string names;
     for (const ModelChoice m : models) names += (names.empty() ? "" : " or ") + std::string(name_of(m));
     s.origin.reject(key, fmt::format("it beside waves.model = \"{}\"", name_of(model)), "model " + names);
+}
+
+bool is_plain_name(std::string_view name) {
+    const auto plain = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-'; };
+    return !name.empty() && std::all_of(name.begin(), name.end(), plain);
 }
 
 bool has_ground(const Scenario& s) { return s.domain.bathymetry || !s.domain.ground.empty(); }
@@ -200,6 +215,7 @@ void check_combinations(const Scenario& s) {
     check_floor(s);
     check_beams(s);
     check_light(s);
+    check_objects(s);
     check_picture(s);
     check_accuracy(s);
     check_probes(s);

@@ -65,9 +65,13 @@ struct CheckOf {
         const std::string_view section = lacking_section(s, q);
         require(section.empty(), fmt::format("without {}", section), fmt::format("{} in the scenario", section));
         require_model(s, is_of_shallow_water(q), key + ".quantity", {ModelChoice::shallow_water});
-        const bool truth = s.floor && s.floor->method == FloorMethod::truth;
+        const auto is_by = [&](FloorMethod method) { return s.floor && s.floor->method == method; };
         const bool moves = resolve_model(s).model != ModelChoice::prescribed;
-        require(q != "floor.truth_error" || truth, "without method = \"truth\"", "method truth");
+        require(q != "floor.truth_error" || is_by(FloorMethod::truth), "without method = \"truth\"", "method truth");
+        require(q != "floor.photon_error" || is_by(FloorMethod::photons), "without method = \"photons\"",
+                "method photons");
+        require(!q.starts_with("floor.splat_") || is_by(FloorMethod::splat), "without method = \"splat\"",
+                "method splat");
         require(q != "waves.energy" || moves, "of a surface that is prescribed", "another model");
         require(q != "waves.volume_drift" || is_closed(s), "beside sides that let water pass", "closed sides");
         require(q != "waves.exact_l1" || has_exact(s, "surface.depth"), "without an exact state",
@@ -177,16 +181,17 @@ struct CheckOf {
                       "surface.elevation, surface.depth, floor.irradiance, camera.radiance or a field of volume");
         if (is_norm && check.window_s) reject_at(".window_s", "it beside a norm of a difference", "at_s, or the end");
         if (!is_of_both_backends())
-            reject_at(".agrees", fmt::format("it beside \"{}\", which the CPU alone computes", check.quantity),
-                      "numbers of the floor's map by method two-pass, of fields in the water, of pictures, or of the "
-                      "model shallow-water");
+            reject_at(
+                ".agrees", fmt::format("it beside \"{}\", which the CPU alone computes", check.quantity),
+                "numbers of the floor's map by method two-pass or splat, of fields in the water, of pictures, or of "
+                "the model shallow-water");
     }
 
     /// Whether a Vulkan device computes what the quantity tells of. Beams themselves, and what a probe in the water
     /// reads of them, are the CPU's.
     bool is_of_both_backends() const {
         const std::string& q = check.quantity;
-        if (s.floor && s.floor->method == FloorMethod::truth) return false;
+        if (s.floor && !has_vulkan_method(s.floor->method)) return false;
         if (has_vulkan_model(s) || q.starts_with("volume.") || q.starts_with("camera.")) return true;
         return s.floor && (q.starts_with("floor.") || is_of_light(q)) && !is_in_water(s, q);
     }

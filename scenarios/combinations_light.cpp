@@ -81,8 +81,10 @@ void check_receiver(const Scenario& s) {
         s.origin.reject("caustics.floor.per_area", "it beside receiver = \"flat\"", "receiver ground");
     const std::string key = "caustics.floor.receiver";
     require_model(s, on_ground, key, {ModelChoice::shallow_water});
-    if (on_ground && s.floor->method == FloorMethod::truth)
-        s.origin.reject(key, "ground beside method = \"truth\"", "method two-pass");
+    const FloorMethod method = s.floor->method;
+    if (on_ground && (method == FloorMethod::truth || method == FloorMethod::quads))
+        s.origin.reject(key, fmt::format("ground beside method = \"{}\"", name_of(method)),
+                        "method two-pass, splat or photons");
     if (on_ground && s.sun.disc_deg)
         s.origin.reject("light.disc_deg", "it beside receiver = \"ground\"", "parallel light");
     for (const std::string other : {"window", "footprint", "samples_per_pixel", "angle_deg", "centre_m", "size_m"})
@@ -109,6 +111,9 @@ void check_light(const Scenario& s) {
     if ((coloured || disc) && !s.floor) s.origin.reject(key, "it without [caustics.floor]", "a floor map to show it");
     if ((coloured || disc) && s.floor->method == FloorMethod::truth)
         s.origin.reject(key, "it beside caustics.floor.method = \"truth\"", "method two-pass");
+    if (disc && s.floor->method == FloorMethod::photons)
+        s.origin.reject(key, "it beside caustics.floor.method = \"photons\"",
+                        "two-pass, quads or splat; the photons' estimate of their error is of parallel light");
     if (coloured && s.beams)
         s.origin.reject(std::string(colour_key(s)), "it beside [caustics.beams]", "beams with light of one colour");
 }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "scenarios/combinations.hpp"
+#include "scenarios/resolve.hpp"
 
 namespace waterlight {
 
@@ -17,8 +18,8 @@ void check_overlay(const Scenario& s) {
     if (!has_map) s.origin.reject(key, "error without [caustics.floor]", "a floor map whose error is shown");
     if (!s.accuracy.estimate)
         s.origin.reject(key, "error without accuracy.estimate", "accuracy.estimate = true in the scenario");
-    if (s.floor->method != FloorMethod::two_pass)
-        s.origin.reject(key, "error beside caustics.floor.method = \"truth\"", "method two-pass");
+    if (s.floor->method == FloorMethod::truth)
+        s.origin.reject(key, "error beside caustics.floor.method = \"truth\"", "another method");
 }
 
 void check_range(const Scenario& s) {
@@ -33,6 +34,9 @@ void check_range(const Scenario& s) {
 void check_picture(const Scenario& s) {
     if (s.output.image && !s.camera)
         s.origin.reject("output.image", "true without [camera]", "[camera] in the scenario");
+    if (traces_pictures(s) && s.picture.look.overlay != Overlay::none)
+        s.origin.reject("picture.overlay", "it beside objects or a lamp",
+                        "none; pictures of these are traced, without");
     const int samples = s.picture.look.samples;
     if ((samples & (samples - 1)) != 0) s.origin.reject("picture.samples", fmt::format("{}", samples), "1, 2, 4 or 8");
     check_overlay(s);

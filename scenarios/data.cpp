@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <span>
 
+#include "caustics/objects/mesh_file.hpp"
 #include "scenarios/reader.hpp"
 
 namespace waterlight {
@@ -66,6 +67,8 @@ void visit_data(Scenario& scenario, Visit visit) {
     for (std::size_t i = 0; i < scenario.checks.size(); ++i)
         if (scenario.checks[i].reference != "exact")
             of(fmt::format("check[{}].reference", i), scenario.checks[i].reference);
+    for (std::size_t i = 0; i < scenario.objects.size(); ++i)
+        of(fmt::format("object[{}].file", i), scenario.objects[i].file);
     if (!waves.buoy) return;
     std::string stem = waves.buoy->stem.string();
     visit("waves.buoy.stem", stem, std::span<const std::string_view>(buoy_suffixes));
@@ -101,6 +104,8 @@ std::vector<fs::path> data_files(const Scenario& scenario) {
     if (waves.file) files.emplace_back(*waves.file);
     for (const Inflow& inflow : waves.inflows)
         if (inflow.signal.file) files.emplace_back(*inflow.signal.file);
+    for (const ObjectSection& section : scenario.objects)
+        if (section.file) files.emplace_back(*section.file);
     if (waves.buoy)
         for (const std::string_view suffix : buoy_suffixes) files.push_back(with(waves.buoy->stem, suffix));
     return files;
@@ -112,6 +117,23 @@ void find_data(Scenario& scenario) {
         for (const std::string_view suffix : suffixes)
             path = locate(scenario, key, stated, std::string(suffix)).string();
     });
+}
+
+void read_data(Scenario& scenario) {
+    if (scenario.objects.empty()) return;
+    std::vector<Object> objects;
+    for (std::size_t i = 0; i < scenario.objects.size(); ++i) {
+        ObjectSection& section = scenario.objects[i];
+        const std::string key = fmt::format("object[{}]", i);
+        try {
+            if (section.file) section.object.shape = read_mesh(*section.file, section.file_scale, section.smooth);
+            validate(section.object);
+        } catch (const InputError& error) {
+            throw InputError(fmt::format("{}: {}: {}", scenario.origin.place(key + ".file"), key, error.what()));
+        }
+        objects.push_back(section.object);
+    }
+    scenario.object_set = std::make_shared<const ObjectSet>(std::move(objects));
 }
 
 std::vector<std::string> data_overrides(const Scenario& scenario, const fs::path& folder) {

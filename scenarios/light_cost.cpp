@@ -24,14 +24,29 @@ double disc_factor(const Scenario& s, glm::ivec2 pixels) {
     return costs::disc_factor + radius * costs::disc_factor_a_pixel;
 }
 
+bool is_followed(const Scenario& s) { return !s.objects.empty() || s.lamp; }
+
+/// Of one wavelength's map by a method that looks from the light.
+double light_image_seconds(const Scenario& s, glm::ivec2 pixels) {
+    if (s.floor->method == FloorMethod::splat) {
+        const double vertices = vertices_of(s);
+        return (vertices + product(pixels)) * costs::splat_vertex_frame +
+               (is_followed(s) ? vertices * costs::splat_object_vertex_frame : 0);
+    }
+    return photons_of(s) * (is_followed(s) ? costs::photon_object_frame : costs::photon_frame);
+}
+
 /// Of one map.
 double floor_seconds(const Scenario& s, glm::ivec2 pixels) {
     const FloorSection& floor = *s.floor;
     const double bands = std::max<double>(1, static_cast<double>(bands_of(s).size()));
+    if (floor.method == FloorMethod::splat || floor.method == FloorMethod::photons)
+        return bands * disc_factor(s, pixels) * light_image_seconds(s, pixels);
     if (floor.on.receiver == Receiver::ground) return bands * product(pixels) * costs::relief_pixel_frame;
     if (floor.method == FloorMethod::truth) return product(pixels) * costs::truth_pixel_frame;
-    const double sample =
-        floor.footprint == Footprint::pixel ? costs::floor_pixel_frame : costs::floor_parallelogram_frame;
+    const double sample = floor.method == FloorMethod::quads    ? costs::quad_frame
+                          : floor.footprint == Footprint::pixel ? costs::floor_pixel_frame
+                                                                : costs::floor_parallelogram_frame;
     const double samples = product(pixels) * floor.samples_per_pixel * floor.samples_per_pixel;
     return bands * disc_factor(s, pixels) * samples * sample;
 }
@@ -53,6 +68,15 @@ double water_seconds(const Scenario& s, glm::ivec2 grid) {
 
 }  // namespace
 
+double vertices_of(const Scenario& s) {
+    const glm::dvec2 size = s.domain.size_m / std::max(s.domain.size_m.x, s.domain.size_m.y);
+    return s.floor->splat.grid * static_cast<double>(s.floor->splat.grid) * size.x * size.y;
+}
+
+double photons_of(const Scenario& s) {
+    return s.floor->photons.map * static_cast<double>(s.floor->photons.map) * s.floor->photons.passes;
+}
+
 double light_seconds(const Scenario& s, const LightDemand& light, glm::ivec2 cells) {
     const double moments = moments_of_run(s), frames = frames_of_run(s);
     double seconds = 0;
@@ -67,6 +91,10 @@ double light_seconds(const Scenario& s, const LightDemand& light, glm::ivec2 cel
 
 double scene_seconds(const Scenario& s) {
     if (!s.output.image) return 0;
+    if (traces_pictures(s)) {
+        const double samples = s.picture.look.samples * s.picture.look.samples;
+        return frames_of_run(s) * product(s.camera->camera.size) * samples * costs::traced_sample_frame;
+    }
     const double pixel = costs::scene_pixel_frame + s.picture.look.samples * costs::scene_sample_frame;
     return frames_of_run(s) * (costs::scene_frame + product(s.camera->camera.size) * pixel);
 }

@@ -9,7 +9,12 @@ namespace waterlight {
 /// pixels and beams are known. A picture counts as if the beams filled it.
 double light_seconds(const Scenario& scenario, const LightDemand& light, glm::ivec2 cells);
 
-/// Of the pictures of the scene on a Vulkan device that is the CPU; a GPU takes far less.
+/// Of the method splat; over the domain.
+double vertices_of(const Scenario& scenario);
+/// Of the method photons; of all passes of a map.
+double photons_of(const Scenario& scenario);
+
+/// Of the pictures of the scene, traced on the CPU or on a Vulkan device that is the CPU; a GPU takes far less.
 double scene_seconds(const Scenario& scenario);
 
 }  // namespace waterlight

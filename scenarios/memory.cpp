@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "scenarios/light_cost.hpp"
 #include "scenarios/resolve.hpp"
 #include "scenarios/resolve_light.hpp"
 
@@ -30,6 +31,13 @@ constexpr double adaptive_pixel = 80;
 constexpr double adaptive_sample = 48;
 // In double precision, with the two solutions that are compared.
 constexpr double truth_pixel = 120;
+// Sums in double precision beside the map: of a pass, of all, their squares, and what is smoothed.
+constexpr double photon_pixel = 100;
+// The map and its sum in double precision; and each vertex with where it lands, its power and its neighbours.
+constexpr double splat_pixel = 64;
+constexpr double splat_vertex = 90;
+// Each of two triangles of a cell of the water, and the boxes by which light finds them.
+constexpr double water_triangle = 180;
 
 // Bytes a cell of the fields in the water: both of them, and four of each that wait to be written.
 constexpr double volume_cell = 50;
@@ -62,10 +70,12 @@ double bytes_per_cell(ModelChoice model) {
 }
 
 double bytes_per_pixel(const FloorSection& floor, bool estimates) {
-    if (floor.method == FloorMethod::truth) return truth_pixel;
     const double more_samples = floor.samples_per_pixel * floor.samples_per_pixel - 1;
-    const double map = floor.footprint == Footprint::adaptive ? adaptive_pixel + more_samples * adaptive_sample
-                                                              : two_pass_pixel + more_samples * two_pass_sample;
+    double map = floor.footprint == Footprint::adaptive ? adaptive_pixel + more_samples * adaptive_sample
+                                                        : two_pass_pixel + more_samples * two_pass_sample;
+    if (floor.method == FloorMethod::truth) map = truth_pixel;
+    if (floor.method == FloorMethod::photons) map = photon_pixel;
+    if (floor.method == FloorMethod::splat) map = splat_pixel;
     return estimates ? map + truth_pixel : map;
 }
 
@@ -108,6 +118,14 @@ double bytes_of_walls(const Scenario& s) {
         pixels += product({plan.columns, plan.rows});
     }
     return pixels * wall_pixel * std::max<double>(1, static_cast<double>(bands_of(s).size()));
+}
+
+/// What methods that look from the light have beside their maps.
+double bytes_of_light(const Scenario& s) {
+    const FloorMethod method = s.floor->method;
+    const bool looks_up = method == FloorMethod::photons || (method == FloorMethod::splat && !s.objects.empty());
+    return (looks_up ? 2 * product(s.domain.cells) * water_triangle : 0) +
+           (method == FloorMethod::splat ? vertices_of(s) * splat_vertex : 0);
 }
 
 double bytes_of_scene(const Scenario& s) {
@@ -153,6 +171,7 @@ MemoryEstimate estimate_memory(const Scenario& scenario) {
     const double maps = std::max<double>(1, static_cast<double>(bands_of(scenario).size()));
     estimate.pixels =
         pixels.x * static_cast<double>(pixels.y) * bytes_per_pixel(*scenario.floor, scenario.accuracy.estimate) * maps;
+    estimate.light = bytes_of_light(scenario) * maps;
     return estimate;
 }
 
@@ -191,6 +210,8 @@ std::vector<MemoryPart> parts_of(const Scenario& s, const MemoryEstimate& estima
     if (s.floor)
         parts.push_back({estimate.pixels, "caustics.floor.pixels", pair(s.floor->pixels),
                          each(estimate.pixels, s.floor->pixels, "pixel")});
+    if (s.floor && s.floor->method == FloorMethod::splat)
+        parts.push_back({estimate.light, "caustics.floor.splat.grid", fmt::format("{}", s.floor->splat.grid), {}});
     if (s.beams) parts.push_back({estimate.beams, "caustics.beams.grid", pair(s.beams->grid), {}});
     if (s.beams && s.beams->volume_cells) {
         const glm::ivec3 v = *s.beams->volume_cells;

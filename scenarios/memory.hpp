@@ -16,7 +16,8 @@ struct MemoryEstimate {
     double picture = 0;  ///< for the camera's picture, the strips it is drawn in, and the frames that wait
     double scene = 0;    ///< for the picture of the scene, on a device that shares the memory, and those that wait
     double walls = 0;    ///< for their maps and the frames that wait
-    double total() const { return cells + pixels + volume + beams + picture + scene + walls; }
+    double light = 0;    ///< for the water and the vertices as methods that look from the light have them
+    double total() const { return cells + pixels + volume + beams + picture + scene + walls + light; }
 };
 
 /// Cells (times 2 for each pair of absorbing sides that has a hidden margin) x bytes a cell of the model, plus pixels x

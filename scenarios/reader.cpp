@@ -80,6 +80,7 @@ Scenario open_scenario(std::string_view text, const std::filesystem::path& file,
     check_combinations(possible(scenario));
     if (!is_open(scenario)) check_memory(scenario, machine_memory());
     find_data(scenario);
+    read_data(scenario);
     return scenario;
 }
 

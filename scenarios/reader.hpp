@@ -42,6 +42,10 @@ struct MissingData : InputError {
 /// InputError naming both where there is none, MissingData where the folder is not there either.
 void find_data(Scenario& scenario);
 
+/// Reads the meshes that find_data() found and makes the objects ready for light. Throws InputError where an object is
+/// none.
+void read_data(Scenario& scenario);
+
 /// What a scenario that lies in `folder` must say of its data files ("key=value") to find those of this one, whose
 /// find_data() was called: nothing where it finds them as it is.
 std::vector<std::string> data_overrides(const Scenario& scenario, const std::filesystem::path& folder);

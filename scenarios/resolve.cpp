@@ -111,6 +111,7 @@ FloorSettings floor_settings(const Scenario& scenario) {
     settings.depth_m = scenario.domain.depth_m;
     settings.sun = scenario.light;
     settings.optics = scenario.optics;
+    settings.objects = scenario.object_set;
     return settings;
 }
 
@@ -125,6 +126,7 @@ BeamSettings beam_settings(const Scenario& scenario) {
     settings.depth_m = scenario.domain.depth_m;
     settings.sun = scenario.light;
     settings.optics = scenario.optics;
+    settings.objects = scenario.object_set;
     return settings;
 }
 
@@ -145,6 +147,10 @@ bool sees_scattered_light(const Scenario& scenario) {
     return scenario.camera && scenario.beams && (!looks_from_air(scenario) || scenario.beams->reflected);
 }
 
+bool traces_pictures(const Scenario& scenario) {
+    return scenario.output.image && (!scenario.objects.empty() || scenario.lamp);
+}
+
 BeamImageSettings beam_image_settings(const Scenario& scenario) {
     assert(scenario.camera);
     constexpr double dim = 6.9;  // ln 1000
@@ -154,6 +160,7 @@ BeamImageSettings beam_image_settings(const Scenario& scenario) {
     settings.camera = air ? mirrored(scenario.camera->camera) : scenario.camera->camera;
     settings.optics = air ? reflected_settings(scenario).optics : scenario.optics;
     const double extinction = settings.optics.extinction_per_m();
+    settings.objects = scenario.object_set;
     settings.samples = scenario.camera->samples;
     settings.reduction = scenario.camera->reduction;
     settings.range_m =

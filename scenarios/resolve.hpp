@@ -37,6 +37,8 @@ BeamSettings reflected_settings(const Scenario& scenario);
 bool looks_from_air(const Scenario& scenario);
 /// Whether it has a camera that sees the light of its beams, those in the water from there, else the reflected ones.
 bool sees_scattered_light(const Scenario& scenario);
+/// Whether pictures of the scene are traced on the CPU: those of objects and lamps are.
+bool traces_pictures(const Scenario& scenario);
 /// Of the picture, where it is taken in the air that of the mirrored camera. The scenario has a camera. Left open, its
 /// range is where a thousandth of the light is left, at most twice the domain's longer side.
 BeamImageSettings beam_image_settings(const Scenario& scenario);

@@ -41,6 +41,10 @@ WallSettings wall_settings(const Scenario& scenario) {
 }
 
 double still_irradiance(const Scenario& s) {
+    if (s.lamp) {
+        const double height = s.lamp->at_m.z + s.domain.depth_m;
+        return s.lamp->intensity_w_sr / (height * height);
+    }
     std::vector<Band> bands = bands_of(s);
     if (bands.empty()) bands.push_back({.optics = s.optics});
     double sum = 0;

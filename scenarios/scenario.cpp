@@ -4,21 +4,7 @@
 
 namespace waterlight {
 
-std::string_view name_of(FloorMethod method) {
-    switch (method) {
-        case FloorMethod::two_pass:
-            return "two-pass";
-        case FloorMethod::truth:
-            return "truth";
-        case FloorMethod::quads:
-            return "quads";
-        case FloorMethod::splat:
-            return "splat";
-        case FloorMethod::photons:
-            return "photons";
-    }
-    return "";
-}
+std::string_view name_of(FloorMethod method) { return floor_method_names[static_cast<std::size_t>(method)]; }
 
 bool OutputSection::wants(const std::string& format) const {
     return std::find(formats.begin(), formats.end(), format) != formats.end();

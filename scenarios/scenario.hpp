@@ -2,8 +2,10 @@
 // a file, its unit and its range; the member initialisers here and in sim/ and caustics/ are the defaults.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -38,6 +40,12 @@ enum class ModelChoice { automatic, linear, airy, shallow_water, prescribed };
 enum class FloorMethod { two_pass, truth, quads, splat, photons };
 /// The name of a method as a scenario has it.
 std::string_view name_of(FloorMethod method);
+/// The names of all, in the order of the enumeration.
+inline constexpr std::array floor_method_names{"two-pass", "truth", "quads", "splat", "photons"};
+
+/// The names of shapes and materials, in the order of Shape and of Material::Type.
+inline constexpr std::array shape_names{"sphere", "box", "ring", "cup", "mesh"};
+inline constexpr std::array material_names{"diffuse", "mirror", "glass"};
 
 /// The patch of water, [0, size] with the grid's cells.
 struct DomainSection {
@@ -109,6 +117,7 @@ struct ObjectSection {
     Object object;
     std::optional<std::string> file;  ///< of a mesh, which read_data() puts into `object`
     double file_scale = 1;            ///< metres per unit of that file
+    bool smooth = false;              ///< normals of a mesh
 };
 
 /// What sees the scene and the light that the water scatters.
@@ -169,6 +178,7 @@ struct Scenario {
     SunSection sun;
     std::optional<Lamp> lamp;  ///< in place of the sun
     std::vector<ObjectSection> objects;
+    std::shared_ptr<const ObjectSet> object_set;  ///< the same for light to meet, by read_data(); none: there are none
     AccuracySection accuracy;
     std::optional<FloorSection> floor;
     std::optional<BeamsSection> beams;

@@ -6,6 +6,7 @@
 #include "scenarios/schema_beams.hpp"
 #include "scenarios/schema_check.hpp"
 #include "scenarios/schema_light.hpp"
+#include "scenarios/schema_objects.hpp"
 #include "scenarios/schema_parts.hpp"
 #include "scenarios/schema_picture.hpp"
 #include "scenarios/schema_shallow.hpp"
@@ -188,8 +189,10 @@ void describe_window(Visitor& v, FloorWindow& s) {
 }
 
 void describe_floor(Visitor& v, FloorSection& s) {
-    v.value({"method", "", "two-pass: fast, float; truth: converged, double precision, slow."},
-            choice(s.method, {"two-pass", "truth"}));
+    v.value({"method", "",
+             "two-pass: fast, float; truth: converged, double precision, slow; quads: forward, exact at folds; splat: "
+             "caustics mapping; photons: followed through everything, noisy. What each can is in docs/methods.md."},
+            choice(s.method, {floor_method_names.begin(), floor_method_names.end()}));
     v.value({"pixels", "", "Pixels of the map along its x and y.", pixel_counts, false, "auto"}, &s.pixels);
     v.optional_section(
         {.name = "window",
@@ -201,7 +204,10 @@ void describe_floor(Visitor& v, FloorSection& s) {
          "What of the floor a landed sample lights: adaptive, the parallelogram where its light falls; pixel, a pixel "
          "as in Yuksel & Keyser."},
         choice(s.footprint, {"adaptive", "pixel"}));
-    v.value({"samples_per_pixel", "", "Samples along each axis of a pixel; method two-pass.", {.low = 1, .high = 16}},
+    v.value({"samples_per_pixel",
+             "",
+             "Samples along each axis of a pixel; methods two-pass and quads.",
+             {.low = 1, .high = 16}},
             &s.samples_per_pixel);
     describe_receiver(v, s.on);
     v.value({"angle_deg", "deg", "Of the map's x axis, counter-clockwise from the domain's.", circle}, &s.angle_deg);
@@ -212,6 +218,7 @@ void describe_floor(Visitor& v, FloorSection& s) {
              "Relative error that the truth's own estimate must reach; method truth only.",
              {.low = 1e-7, .high = 0.1}},
             &s.tolerance);
+    describe_methods(v, s);
 }
 
 void describe_output(Visitor& v, OutputSection& s) {
@@ -263,10 +270,12 @@ void describe(Visitor& v, Scenario& s) {
     v.section({"water", "", "The water as waves and light feel it."},
               [&s](Visitor& in) { describe_water(in, s.water, s.optics, s.water_colour); });
     v.section({"waves", "", "How the surface moves."}, [&s](Visitor& in) { describe_waves(in, s.waves); });
-    v.section({"light", "", "The sun."}, [&s](Visitor& in) {
+    v.section({"light", "", "The sun, or a lamp in its place."}, [&s](Visitor& in) {
+        describe_lamp(in, s.lamp);
         describe_light(in, s.light);
         describe_sun(in, s.sun);
     });
+    describe_objects(v, s.objects);
     v.section({"caustics", "", "The light that the water focuses."}, [&s](Visitor& in) {
         in.optional_section({"floor", "", "The map of irradiance on the floor."}, into(s.floor, describe_floor));
         in.optional_section({"beams", "", "Beams of light in the water, for fields, places and pictures of it."},

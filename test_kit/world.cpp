@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "caustics/truth.hpp"
+#include "scenarios/build_floor.hpp"
 #include "scenarios/memory.hpp"
 #include "scenarios/reader.hpp"
 #include "scenarios/resolve.hpp"
@@ -14,8 +15,8 @@
 namespace waterlight {
 
 World::World(Scenario scenario) : scenario_(std::move(scenario)), waves_(build_model(scenario_)) {
-    if (scenario_.floor && scenario_.floor->method == FloorMethod::two_pass)
-        mapper_ = make_floor_cpu(floor_settings(scenario_));
+    if (scenario_.floor && scenario_.floor->method != FloorMethod::truth)
+        mapper_ = floor_maker(scenario_, receiver_bed(scenario_, waves_))(floor_settings(scenario_));
 }
 
 World World::from(const std::filesystem::path& scenario, const std::vector<std::string>& overrides) {
@@ -27,6 +28,7 @@ World World::from_text(std::string_view toml, const std::vector<std::string>& ov
     check_combinations(scenario);
     check_memory(scenario, machine_memory());
     find_data(scenario);
+    read_data(scenario);
     return World(std::move(scenario));
 }
 
@@ -43,7 +45,7 @@ void World::advance(double seconds) {
 const FloorMap& World::floor_map() {
     if (!mapper_)
         scenario_.origin.reject("caustics.floor", scenario_.floor ? "method = \"truth\"" : "no map to draw",
-                                "caustics.floor with method two-pass");
+                                "caustics.floor with another method");
     if (!is_mapped_) mapper_->compute(surface(), map_);
     is_mapped_ = true;
     return map_;

@@ -29,8 +29,8 @@ class World {
 
     /// The water now; valid until the next advance().
     const Surface& surface() { return waves_.model->surface(); }
-    /// The map of light below it, by the section caustics.floor and method two-pass; computed when first asked for
-    /// after an advance(). Throws InputError where the scenario has none.
+    /// The map of light below it, by the section caustics.floor and its method, but for the truth, of parallel light of
+    /// one colour; computed when first asked for after an advance(). Throws InputError where the scenario has none.
     const FloorMap& floor_map();
 
     WaveDiagnostics diagnostics() { return waves_.model->diagnostics(); }

@@ -19,6 +19,7 @@ endfunction()
 
 waterlight_fuzz(scenario LIBRARIES waterlight::scenarios SEEDS ${PROJECT_SOURCE_DIR}/scenarios)
 waterlight_fuzz(overrides LIBRARIES waterlight::scenarios)
+waterlight_fuzz(mesh LIBRARIES waterlight::caustics waterlight::caustics_files)
 foreach(name IN ITEMS vti pvd esri xyz ndbc series)
     waterlight_fuzz(${name} LIBRARIES waterlight::sim)
 endforeach()

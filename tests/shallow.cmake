@@ -10,6 +10,7 @@ waterlight_test(shallow_tests
         laws/shallow_energy.cpp
         laws/shallow_friction.cpp
         laws/shallow_orders.cpp
+        laws/shallow_step.cpp
         laws/shallow_volume.cpp
     LIBRARIES waterlight::sim)
 

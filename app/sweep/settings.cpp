@@ -61,6 +61,13 @@ Scenario read(const SweepOptions& options, const std::vector<std::string>& overr
     }
 }
 
+/// Settings are judged by the truth.
+void require_judged(const Scenario& s) {
+    if (!s.objects.empty())
+        s.origin.reject("object", "it in a sweep", "a scenario without: the truth that judges does not know objects");
+    if (s.lamp) s.origin.reject("light.type", "a lamp in a sweep", "sun: the truth that judges does not know lamps");
+}
+
 Setting setting_at(const SweepOptions& options, const std::vector<Variation>& variations, std::size_t number) {
     Setting setting;
     setting.overrides = setting.scene = setting.waves = options.overrides;
@@ -79,6 +86,7 @@ Setting setting_at(const SweepOptions& options, const std::vector<Variation>& va
         if (!is_method_of_waves(key)) setting.scene.push_back(override);
     }
     setting.scenario = read(options, setting.overrides);
+    require_judged(setting.scenario);
     return setting;
 }
 

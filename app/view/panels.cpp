@@ -46,6 +46,7 @@ void Panels::draw(const Snapshot& snapshot, const SessionStatus& status, const F
         ImGui::PushItemWidth(-10 * letter);
         draw_play(snapshot, status);
         draw_messages(status);
+        if (!snapshot.scenario->objects.empty()) ImGui::TextDisabled("objects: their light and shadow alone");
         if (ImGui::CollapsingHeader("Time and error", ImGuiTreeNodeFlags_DefaultOpen))
             draw_costs(snapshot, status, times);
         if (ImGui::CollapsingHeader("Mouse")) draw_mouse();

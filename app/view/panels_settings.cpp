@@ -14,7 +14,6 @@ namespace {
 
 // As a scenario names them, in the order of their enumerations.
 constexpr std::array model_names{"auto", "linear", "airy", "shallow-water", "prescribed"};
-constexpr std::array method_names{"two-pass", "truth"};
 constexpr std::array footprint_names{"adaptive", "pixel"};
 constexpr std::array backend_names{"auto", "cpu", "vulkan"};
 
@@ -107,8 +106,8 @@ void Panels::draw_floor(const Snapshot& snapshot, const SessionStatus& status) {
     const std::optional<FloorSection>& floor = snapshot.scenario->floor;
     if (!floor) return;
     method_.follow(static_cast<int>(floor->method), status);
-    if (combo("method", method_.value, method_names)) {
-        choose(fmt::format("caustics.floor.method={}", method_names[static_cast<std::size_t>(method_.value)]));
+    if (combo("method", method_.value, floor_method_names)) {
+        choose(fmt::format("caustics.floor.method={}", floor_method_names[static_cast<std::size_t>(method_.value)]));
         method_.sent = chosen_;
     }
     pixels_.follow(as_array(floor->pixels), status);
@@ -116,7 +115,7 @@ void Panels::draw_floor(const Snapshot& snapshot, const SessionStatus& status) {
         choose("caustics.floor.pixels=" + as_list(pixels_.value));
         pixels_.sent = chosen_;
     }
-    if (floor->method == FloorMethod::truth) return;
+    if (floor->method != FloorMethod::two_pass) return;
     footprint_.follow(static_cast<int>(floor->footprint), status);
     if (combo("footprint", footprint_.value, footprint_names)) {
         choose(fmt::format("caustics.floor.footprint={}", footprint_names[static_cast<std::size_t>(footprint_.value)]));

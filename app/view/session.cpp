@@ -317,7 +317,7 @@ Session::Ticket Session::drop(glm::dvec2 at_m, double radius_m, double height_m)
     return impl_->send("drop", Impl::Kind::other, [=](Impl& s) { s.simulation->drop(at_m, radius_m, height_m); });
 }
 
-Session::Ticket Session::hold_sphere(const Sphere& sphere) {
+Session::Ticket Session::hold_sphere(const HeldSphere& sphere) {
     return impl_->send("hold", Impl::Kind::other, [=](Impl& s) { s.simulation->hold_sphere(sphere); });
 }
 

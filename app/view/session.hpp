@@ -73,7 +73,7 @@ class Session {
     /// A drop falls now: radius and height in m, height < 0 digs. Refused where the surface is prescribed.
     Ticket drop(glm::dvec2 at_m, double radius_m, double height_m);
     /// A sphere is there, as if it had always been; one that is held is let go before.
-    Ticket hold_sphere(const Sphere& sphere);
+    Ticket hold_sphere(const HeldSphere& sphere);
     /// The sphere moves and pushes the water: see sphere_pushes(). Refused where none is held or the surface is
     /// prescribed.
     Ticket move_sphere(glm::dvec3 centre_m);

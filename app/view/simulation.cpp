@@ -95,7 +95,7 @@ void Simulation::drop(glm::dvec2 at_m, double radius_m, double height_m) {
     edits_.add(drop);
 }
 
-void Simulation::hold_sphere(const Sphere& sphere) {
+void Simulation::hold_sphere(const HeldSphere& sphere) {
     require_radius("sphere", sphere.radius_m, *run_.scenario);
     require(is_finite(sphere.centre_m), "sphere: its centre must be three numbers");
     require(!run_.water->built().prescribed, "a prescribed surface cannot be disturbed");

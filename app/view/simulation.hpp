@@ -24,7 +24,7 @@ class Simulation {
 
     /// As the functions of Session that have these names.
     void drop(glm::dvec2 at_m, double radius_m, double height_m);
-    void hold_sphere(const Sphere& sphere);
+    void hold_sphere(const HeldSphere& sphere);
     void move_sphere(glm::dvec3 centre_m);
     void release_sphere() { sphere_.reset(); }
     void rain(std::optional<double> drops_per_m2_s);
@@ -73,7 +73,7 @@ class Simulation {
     Built run_;
     std::array<bool, 3> is_on_{true, true, true};
     std::optional<BeamView> view_;
-    std::optional<Sphere> sphere_;
+    std::optional<HeldSphere> sphere_;
     Snapshot trial_;               ///< the first frame of what was built last
     bool is_trial_shown_ = false;  ///< it is of the present moment
     ErrorEstimates estimates_;

@@ -21,7 +21,7 @@
 namespace waterlight {
 
 /// A ball that is dragged through the water.
-struct Sphere {
+struct HeldSphere {
     glm::dvec3 centre_m{0, 0, 0};
     double radius_m = 0.25;  ///< > 0
 };
@@ -64,11 +64,11 @@ struct Snapshot {
     WallMaps walls;
     WallSettings wall_settings;
     BeamVolume volume;
-    BeamImage beams;               ///< single-scattered light towards beams_camera
-    Camera beams_camera;           ///< the camera of `beams`, its size included
-    Field<float> floor_error;      ///< estimated: W/m2 to subtract, on the floor map's pixels
-    Field<float> waves_error;      ///< estimated: m to subtract, on the surface's cells
-    std::optional<Sphere> sphere;  ///< while one is held
+    BeamImage beams;                   ///< single-scattered light towards beams_camera
+    Camera beams_camera;               ///< the camera of `beams`, its size included
+    Field<float> floor_error;          ///< estimated: W/m2 to subtract, on the floor map's pixels
+    Field<float> waves_error;          ///< estimated: m to subtract, on the surface's cells
+    std::optional<HeldSphere> sphere;  ///< while one is held
 
     /// What of the above was computed; the rest is empty or of an earlier moment.
     struct Contents {

@@ -38,6 +38,19 @@ std::shared_ptr<gpu::Context> open_device(const ViewOptions& options, const Wind
         .device = options.device.device, .validation = options.device.validation, .window_system = window.system()});
 }
 
+/// Throws InputError where the window cannot show the scenario's light.
+Scenario read_viewable(const ViewOptions& options) {
+    Scenario scenario = read_scenario(options.scenario, options.overrides);
+    if (scenario.lamp)
+        scenario.origin.reject("light.type", "a lamp, by whose light the window draws no water",
+                               "sun in a window; `run` with output.image = true draws what a lamp lights");
+    if (!scenario.objects.empty())
+        fmt::print(stderr,
+                   "waterlight: the window shows what objects do to the light, not the objects; `run` with "
+                   "output.image = true draws them\n");
+    return scenario;
+}
+
 // Where nothing says that the session computes on Vulkan, the device and its validation are for drawing.
 DeviceWish for_session(DeviceWish wish) {
     if (wish.backend != Backend::vulkan) wish.validation = false;
@@ -75,7 +88,7 @@ class View {
   public:
     explicit View(const ViewOptions& options)
         : options_(options),
-          scenario_(read_scenario(options.scenario, options.overrides)),
+          scenario_(read_viewable(options)),
           window_(title_of(scenario_, options.scenario), options.size),
           context_(open_device(options, window_)),
           interface_(window_),

@@ -138,7 +138,7 @@ void WaterLight::estimate(const Surface& surface, const FloorMap& map) {
 }
 
 void WaterLight::show_estimate(Snapshot& to) const {
-    if (to.has.floor && floor_) to.estimates.floor_rmse = floor_->error_estimate();
+    if (to.has.floor && floor_) to.estimates.floor_rmse = floor_->record(to.floor).error_estimate;
     if (!estimate_ || !is_estimated_ || !to.has.floor) return;
     to.estimates.floor_rmse = estimate_->rmse();
     copy(estimate_->error(), to.floor_error);

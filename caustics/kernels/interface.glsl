@@ -15,7 +15,7 @@ KERNEL RayRefraction refract_ray(real3 d, real3 normal, real n, real fresnel) {
     real cos2_t = real(1) - (real(1) - cos_i * cos_i) * inv_n * inv_n;
     real cos_t = sqrt(max(real(0), cos2_t));
     r.direction = inv_n * d + (cos_i * inv_n - cos_t) * normal;
-    real t = fresnel_transmittance(cos_i, cos_t, n);
+    real t = min(real(1), fresnel_transmittance(cos_i, cos_t, n));  // near n = 1 it may round to more
     r.transmittance = cos2_t > real(0) ? t + (real(1) - fresnel) * (real(1) - t) : real(0);
     return r;
 }

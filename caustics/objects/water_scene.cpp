@@ -16,6 +16,7 @@ struct WaterScene::Data {
     std::optional<TriangleScene> ground;  ///< none: flat at -depth
     glm::dvec2 low_m, high_m;             ///< of the domain
     double lowest_m = 0, highest_m = 0;   ///< of the floor, of the water
+    double steepest = 0;                  ///< slope of the water
 };
 
 namespace {
@@ -117,7 +118,7 @@ std::optional<double> at_level(const Ray& ray, double level) {
 }  // namespace
 
 WaterScene::WaterScene(const WaterSceneSettings& settings, const Surface& surface)
-    : data_(new Data{settings, &surface, PlacedObjects(settings.objects, surface.time_s), {}, {}, {}, {}, 0, 0}) {
+    : data_(new Data{settings, &surface, PlacedObjects(settings.objects, surface.time_s), {}, {}, {}, {}, 0, 0, 0}) {
     Data& d = *data_;
     const Grid& g = surface.grid;
     d.low_m = {g.x0_m, g.y0_m};
@@ -128,6 +129,7 @@ WaterScene::WaterScene(const WaterSceneSettings& settings, const Surface& surfac
         d.ground.emplace(ground_of(g, *settings.bed_m));
     }
     d.highest_m = std::max(0.0F, *std::ranges::max_element(surface.elevation.values()));
+    d.steepest = steepest_slope(surface);
     if (!is_flat(surface)) d.water.emplace(water_of(surface, d.low_m, d.high_m, settings.still_beyond_m));
 }
 
@@ -137,12 +139,14 @@ WaterScene::WaterScene(WaterScene&&) noexcept = default;
 namespace {
 
 /// The water from the side on which the traveller is: of air from above, of water from below. Where triangles and the
-/// bilinear surface differ a ray that starts on the one may be on the wrong side of the other.
-void meet_water(const WaterScene& scene, const std::optional<TriangleScene>& water, const Traveller& traveller,
-                SceneHit& nearest) {
+/// bilinear surface differ a ray that starts on the one may be on the wrong side of the other. Light that leaves more
+/// steeply than the water is anywhere does not meet it: there is nothing to search.
+void meet_water(const WaterScene& scene, const std::optional<TriangleScene>& water, double steepest,
+                const Traveller& traveller, SceneHit& nearest) {
     Ray ray = traveller.ray;
     ray.farthest_m = nearest.distance_m;
     const double towards = traveller.in_water ? 1 : -1;
+    if (towards * ray.direction.z < -steepest * glm::length(glm::dvec2(ray.direction))) return;
     if (!water) {
         const auto t = at_level(ray, 0);
         if (t && towards * ray.direction.z > 0) offer(nearest, SceneHit::What::water, *t, {0, 0, 1});
@@ -169,7 +173,7 @@ SceneHit WaterScene::first_hit(const Traveller& traveller) const {
     if (const auto object = d.objects.first_hit(traveller.ray))
         nearest = {SceneHit::What::object, object->distance_m, object->normal, object->object, {0, 0}};
     if (traveller.inside >= 0) return nearest;  // within glass there is neither water nor ground
-    meet_water(*this, d.water, traveller, nearest);
+    meet_water(*this, d.water, d.steepest, traveller, nearest);
     Ray ray = traveller.ray;
     ray.farthest_m = nearest.distance_m;
     if (d.ground) {

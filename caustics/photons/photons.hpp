@@ -15,9 +15,11 @@ namespace waterlight {
 
 struct PhotonOptions {
     enum class Start {
-        automatic,  ///< surface where the sun meets nothing but water first, else light
-        light,      ///< cells of the light's image of the scene
-        surface     ///< cells of the water's surface; the light meets no object before it, and is the sun
+        /// surface where the sun meets water first and last: neither objects nor ground as high as it, no wave so steep
+        /// that it stands in another's light; else light
+        automatic,
+        light,   ///< cells of the light's image of the scene
+        surface  ///< cells of the water's surface; what objects stand before ends on them. The light is the sun
     };
     enum class Branching {
         roulette,  ///< one way is followed, chosen by its share
@@ -26,7 +28,7 @@ struct PhotonOptions {
     Start start = Start::automatic;
     Branching branching = Branching::roulette;
     int map = 512;     ///< photons of a pass along each axis of where they start, stratified, in [1, 65536]
-    int passes = 1;    ///< at most; each draws anew, >= 1
+    int passes = 1;    ///< at most; each draws anew, >= 1; with a tolerance >= 2
     int bounces = 16;  ///< interfaces met at most; what then still travels is lost, >= 1
     /// Where passes end: the relative error of the map by its own estimate; 0: after `passes`.
     double tolerance = 0;
@@ -43,15 +45,32 @@ struct PhotonSettings {
     bool per_ground_area = true;  ///< what irradiance on `bed_m` is per, as of ReliefSettings
 };
 
-/// Follows photons; the map is what landed. A ledger's reflected_w is what leaves upwards, by whatever way; objects_w
-/// what ends on or in them; lost_w what met too many interfaces.
+/// What passes have brought so far: all that it takes to go on with more.
+struct PhotonSums {
+    int passes = 0;
+    Field<double> power_w{};  ///< landed on each pixel, of all passes; on sloping ground as irradiance is per its area
+    Field<double> squares_w2{};  ///< sum of the squares of what each pass landed, smoothed as the map is
+    FloorLedger ledger{};        ///< of all passes
+};
+
+/// Follows photons; the map is what landed, each whole on its pixel. incident_w is what comes in over the domain,
+/// through its surface or by objects, those beyond its walls among them; reflected_w what leaves upwards, by whatever
+/// way; objects_w what ends on or in them; lost_w what met too many interfaces. Of a periodic side the map may show
+/// more than one period: what it shows again counts as entered. Beyond absorbing sides the water is still, below it
+/// there is no ground but the flat floor. The bytes do not depend on the number of threads.
 class PhotonFloor : public FloorMapper {
   public:
-    /// Of the last map, from the scatter between its passes' parts: the standard error of its pixels, root mean square
-    /// over that of the map. NaN where there was one part only.
+    /// Of the last map, from the scatter between its passes: the standard error of its pixels, root mean square over
+    /// that of the map. It knows nothing of what smoothing does to the map (blur.hpp). NaN where there was one pass
+    /// only.
     virtual double error_estimate() const = 0;
     virtual int passes() const = 0;
     virtual std::int64_t photons() const = 0;  ///< of all its passes
+
+    /// Follows as many more passes through this surface: 3 and then 5 are 8, bit for bit. Begins where there are none.
+    virtual void add(const Surface& surface, int passes, PhotonSums& sums) const = 0;
+    /// The map of at least one pass.
+    virtual void show(const Surface& surface, const PhotonSums& sums, FloorMap& map) = 0;
 };
 
 /// Throws InputError where a setting is out of its range.

@@ -44,4 +44,5 @@ struct FloorRowLedger {
     float outside;
     float lost;
     float entered;
+    float objects;
 };

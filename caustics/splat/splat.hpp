@@ -18,11 +18,16 @@ struct SplatOptions {
         jacobian,  ///< Gaussians of the footprint of each vertex: converges
         fixed      ///< the same Gaussian for all, `radius_pixels`, as in the paper
     };
-    int grid = 512;      ///< vertices along the longer axis of the light's image, in [2, 16384]
-    int iterations = 8;  ///< of the landing, >= 1
+    enum class Landing {
+        height,   ///< each step to where the ray is as high as the receiver seen: exact on level ground under any light
+        distance  ///< each step as far as the receiver seen, as in the paper: diverges under a low sun
+    };
+    int grid = 512;      ///< vertices along the longer axis of the domain, in [2, 16384]
+    int iterations = 8;  ///< of the landing, in [1, 1000]
+    Landing landing = Landing::height;
     Size size = Size::jacobian;
     double radius_pixels = 0.6;  ///< standard deviation of a fixed splat, > 0
-    int bounces = 8;             ///< interfaces of an object that a vertex's light may meet, >= 1
+    int bounces = 8;             ///< interfaces that a vertex's light may meet where there are objects, in [1, 1000]
 };
 
 struct SplatSettings {

@@ -12,4 +12,5 @@
 #include "render/shaders/variant_words.glsl"
 #include "render/shaders/scene_parameters.glsl"
 #include "render/shaders/scene.glsl"
+#include "render/shaders/sight.glsl"
 #include "render/shaders/ground_cells.glsl"

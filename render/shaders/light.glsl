@@ -66,17 +66,17 @@ vec3 ambient_at(float depth, vec3 sun) {
     if (!uneven) return vec3(s.ambient_r, s.ambient_g, s.ambient_b);
     vec3 a = diffuse_absorption();
     return vec3(
-        ambient_on_floor(s.sky_r, sun.r, s.mean_r, s.r_ext, s.r_int, diffuse_passage(a.r, depth)),
-        ambient_on_floor(s.sky_g, sun.g, s.mean_g, s.r_ext, s.r_int, diffuse_passage(a.g, depth)),
-        ambient_on_floor(s.sky_b, sun.b, s.mean_b, s.r_ext, s.r_int, diffuse_passage(a.b, depth)));
+        ambient_on_floor(s.sky_r, sun.x, s.mean_r, s.r_ext, s.r_int, diffuse_passage(a.x, depth)),
+        ambient_on_floor(s.sky_g, sun.y, s.mean_g, s.r_ext, s.r_int, diffuse_passage(a.y, depth)),
+        ambient_on_floor(s.sky_b, sun.z, s.mean_b, s.r_ext, s.r_int, diffuse_passage(a.z, depth)));
 }
 
-// Diffuse light on a wall: half of what comes down and half of what comes up there. ambient_* is the one at the floor,
-// up_* the other at the surface.
-vec3 ambient_on_wall(float depth) {
+// Diffuse light on a plane that sees so much of what comes down there, and the rest of what comes up. ambient_* is the
+// one at the floor, up_* the other at the surface.
+vec3 ambient_facing(float depth, float sky_part) {
     vec3 below = exp(-1.2 * diffuse_absorption() * (s.depth - depth)), above = exp(-1.2 * diffuse_absorption() * depth);
-    return 0.5 * (vec3(s.ambient_r, s.ambient_g, s.ambient_b) / max(below, vec3(1e-6)) +
-                  vec3(s.up_r, s.up_g, s.up_b) / max(above, vec3(1e-6)));
+    return sky_part * vec3(s.ambient_r, s.ambient_g, s.ambient_b) / max(below, vec3(1e-6)) +
+           (1 - sky_part) * vec3(s.up_r, s.up_g, s.up_b) / max(above, vec3(1e-6));
 }
 
 vec3 wall_inward(int wall) {
@@ -87,7 +87,7 @@ float along_wall(int wall, vec3 place) { return wall < 2 ? place.y - s.y0 : plac
 
 vec3 sun_on_wall(int wall, vec3 place, float depth) {
     vec3 inward = wall_inward(wall);
-    if (!wall_maps) return calm_sun(place.xy, depth) * max(0, -(s.travel_x * inward.x + s.travel_y * inward.y));
+    if (!wall_maps) return calm_sun(vec2(place), depth) * max(0, -(s.travel_x * inward.x + s.travel_y * inward.y));
     int columns = wall < 2 ? s.wall_columns_x : s.wall_columns_y;
     vec2 at = vec2(along_wall(wall, place) / (wall < 2 ? s.wall_pitch_x : s.wall_pitch_y),
                    (place.z + s.depth) / s.wall_pitch_up);
@@ -97,9 +97,9 @@ vec3 sun_on_wall(int wall, vec3 place, float depth) {
 }
 
 // A place in the water: on the floor or ground where `wall` is -1, else on a wall. Its pattern's coordinates, m.
-vec2 on_pattern(int wall, vec3 place) { return wall < 0 ? place.xy : vec2(along_wall(wall, place), place.z); }
+vec2 on_pattern(int wall, vec3 place) { return wall < 0 ? vec2(place) : vec2(along_wall(wall, place), place.z); }
 
-vec2 across_pattern(int wall, vec3 move) { return wall < 0 ? move.xy : (wall < 2 ? move.yz : move.xz); }
+vec2 across_pattern(int wall, vec3 move) { return vec2(wall == 0 || wall == 1 ? move.y : move.x, wall < 0 ? move.y : move.z); }
 
 // Widths of a pixel there.
 vec2 widths_on_pattern(int wall, PerPixel moved) {
@@ -115,15 +115,16 @@ vec3 albedo_at(int wall, vec2 at, vec2 widths) {
     return part * (wall < 0 ? vec3(s.floor_r, s.floor_g, s.floor_b) : vec3(s.wall_r, s.wall_g, s.wall_b));
 }
 
-// Its radiance towards any direction. `width` is that of the footprint, `widths` on the pattern.
-vec3 radiance_in_water(int wall, vec3 place, float width, vec2 widths) {
+// Its radiance towards any direction. `width` is that of the footprint, `widths` on the pattern, `open` the part of the
+// diffuse light that nothing keeps off.
+vec3 radiance_in_water(int wall, vec3 place, float width, vec2 widths, float open) {
     float depth = max(0, -place.z);
     if (shows_map()) {
-        vec3 shown = overlay_colour(dot(sun_on_floor(place.xy, depth, width), vec3(1.0 / 3)));
+        vec3 shown = overlay_colour(dot(sun_on_floor(vec2(place), depth, width), vec3(1.0 / 3)));
         if (wall < 0) return shown;
     }
-    vec3 calm = uneven ? calm_sun(place.xy, depth) : vec3(0);
-    vec3 e = sun_on_floor(place.xy, depth, width) + ambient_at(depth, calm);
-    if (wall_x || wall_y) e = wall < 0 ? e : sun_on_wall(wall, place, depth) + ambient_on_wall(depth);
+    vec3 calm = uneven ? calm_sun(vec2(place), depth) : vec3(0);
+    vec3 e = sun_on_floor(vec2(place), depth, width) + open * ambient_at(depth, calm);
+    if (wall_x || wall_y) e = wall < 0 ? e : sun_on_wall(wall, place, depth) + open * ambient_facing(depth, 0.5);
     return albedo_at(wall, on_pattern(wall, place), widths) * e * (1 / pi);
 }

@@ -33,15 +33,15 @@ struct Slopes {
 
 // `along` and `across` are the semi-axes of the footprint, m.
 Slopes slopes_at(CellsAround c, vec2 along, vec2 across) {
-    vec3 a = surface_cells[c.low].xyz, b = surface_cells[c.low + 1].xyz;
-    vec3 e = surface_cells[c.low + c.stride].xyz, f = surface_cells[c.low + c.stride + 1].xyz;
+    vec3 a = vec3(surface_cells[c.low]), b = vec3(surface_cells[c.low + 1]);
+    vec3 e = vec3(surface_cells[c.low + c.stride]), f = vec3(surface_cells[c.low + c.stride + 1]);
     vec3 low = a + c.weight.x * (b - a), high = e + c.weight.x * (f - e);
     vec3 here = low + c.weight.y * (high - low);
     Slopes slopes;
-    slopes.mean = here.xy;
+    slopes.mean = vec2(here);
     // A slope that changes evenly over the footprint's width 2 w has the variance w^2 / 3 times its change squared.
-    slopes.per_x = ((b - a).xy + c.weight.y * ((f - e) - (b - a)).xy) / (s.cell_x * p.level_scale);
-    slopes.per_y = (high - low).xy / (s.cell_y * p.level_scale);
+    slopes.per_x = vec2((b - a) + c.weight.y * ((f - e) - (b - a))) / (s.cell_x * p.level_scale);
+    slopes.per_y = vec2(high - low) / (s.cell_y * p.level_scale);
     vec2 change_along = slopes.per_x * along.x + slopes.per_y * along.y;
     vec2 change_across = slopes.per_x * across.x + slopes.per_y * across.y;
     float spread = (dot(change_along, change_along) + dot(change_across, change_across)) / 6;

@@ -7,6 +7,7 @@
 #include "render/shaders/light.glsl"
 #include "render/shaders/water.glsl"
 #include "render/shaders/surface_cells.glsl"
+#include "render/shaders/sun_in_water.glsl"
 
 layout(location = 0) out vec4 drawn;
 
@@ -41,12 +42,6 @@ Point point_at(Sight a) {
     return q;
 }
 
-float sun_transmittance(float cos_i) {
-    float cos_t = sqrt(max(0, 1 - (1 - cos_i * cos_i) / (s.index * s.index)));
-    float t = fresnel_transmittance(cos_i, cos_t, s.index);
-    return t + (1 - s.fresnel) * (1 - t);
-}
-
 PerPixel turned_normal(Point q, vec3 normal) {
     return PerPixel(turn_of_normal(normal, q.slope_change.right.xy), turn_of_normal(normal, q.slope_change.up.xy));
 }
@@ -60,9 +55,8 @@ vec3 from_above(Point q, vec3 d) {
     vec3 below = seen_in_water(q.place, refracted.direction, q.width, q.moved, turned);
     if (overlay == OVERLAY_FLOOR || overlay == OVERLAY_ERROR) return below;
     vec3 sky = sky_above(reflect_ray(d, normal));
-    SunSeen sun = sun_in_reflection(-d, to_sun(), q.slope, q.variance, s.sun_radius);
-    float glint = s.sun_irradiance * sun.radiance * (1 - sun_transmittance(sun.cos_h));
-    return refracted.transmittance / (s.index * s.index) * below + (1 - refracted.transmittance) * sky + glint;
+    return refracted.transmittance / (s.index * s.index) * below + (1 - refracted.transmittance) * sky +
+           glint(d, q.slope, q.variance);
 }
 
 vec3 from_below(Point q, vec3 d) {
@@ -75,9 +69,8 @@ vec3 from_below(Point q, vec3 d) {
                       turn_reflected(d, upwards, q.turn.up, turned.up));
     vec3 below = seen_in_water(q.place, mirrored, q.width, q.moved, turned);
     vec3 sky = sky_above(refracted.direction);
-    SunSeen sun = sun_in_refraction(-d, to_sun(), q.slope, q.variance, s.sun_radius, max(s.index, 1.0001));
-    float shine = s.sun_irradiance * sun.radiance * sun_transmittance(sun.cos_h);
-    return s.index * s.index * (refracted.transmittance * sky + shine) + (1 - refracted.transmittance) * below;
+    return s.index * s.index * (refracted.transmittance * sky + shine(d, q.slope, q.variance)) +
+           (1 - refracted.transmittance) * below;
 }
 
 void main() {

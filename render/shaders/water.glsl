@@ -16,13 +16,13 @@ float ground_way(vec3 from, vec3 d, float end) {
     bool met = false;
     for (int k = 1; k <= steps && !met; ++k) {
         float t = begin + k * step;
-        met = from.z + t * d.z <= ground_at(from.xy + t * d.xy);
+        met = from.z + t * d.z <= ground_at(vec2(from) + t * vec2(d));
         low = met ? low : t;
         high = t;
     }
     for (int k = 0; k < halvings; ++k) {
         float t = 0.5 * (low + high);
-        bool below = from.z + t * d.z <= ground_at(from.xy + t * d.xy);
+        bool below = from.z + t * d.z <= ground_at(vec2(from) + t * vec2(d));
         high = below ? t : high;
         low = below ? low : t;
     }
@@ -34,13 +34,15 @@ Meeting meet(vec3 from, vec3 d) {
     m.wall = -1;
     m.way = d.z < -1e-5 ? max(0, (-s.depth - from.z) / d.z) : far_away;
     if (wall_x) {
-        float t = ((d.x > 0 ? s.x1 : s.x0) - from.x) / (abs(d.x) > 1e-6 ? d.x : 1e-6);
-        if (t < m.way) m.wall = d.x > 0 ? 1 : 0;
+        float speed = abs(d.x) > 1e-6 ? d.x : 1e-6;
+        float t = ((speed > 0 ? s.x1 : s.x0) - from.x) / speed;
+        if (t < m.way) m.wall = speed > 0 ? 1 : 0;
         m.way = min(m.way, t);
     }
     if (wall_y) {
-        float t = ((d.y > 0 ? s.y1 : s.y0) - from.y) / (abs(d.y) > 1e-6 ? d.y : 1e-6);
-        if (t < m.way) m.wall = d.y > 0 ? 3 : 2;
+        float speed = abs(d.y) > 1e-6 ? d.y : 1e-6;
+        float t = ((speed > 0 ? s.y1 : s.y0) - from.y) / speed;
+        if (t < m.way) m.wall = speed > 0 ? 3 : 2;
         m.way = min(m.way, t);
     }
     m.way = max(m.way, 0);
@@ -58,7 +60,7 @@ float phase_at(float cosine) {
 }
 
 float volume_at(vec3 place) {
-    vec2 home = wrapped(place.xy);
+    vec2 home = wrapped(vec2(place));
     vec2 at = (home - vec2(s.x0, s.y0)) / vec2(s.x1 - s.x0, s.y1 - s.y0) * vec2(s.volume_nx, s.volume_ny) - 0.5;
     vec2 low = floor(at), w = at - low;
     ivec2 most = ivec2(s.volume_nx, s.volume_ny) - 1;
@@ -81,10 +83,10 @@ vec3 scattered(vec3 from, vec3 d, float way) {
     vec3 c = sight_extinction();
     float depth = max(0, -from.z);
     if (scatter == SCATTER_FLAT) {
-        vec3 light = s.entering * s.path * exp(-(s.extinction + colours()) * s.path * depth);
+        vec3 here = s.entering * s.path * exp(-(s.extinction + colours()) * s.path * depth);
         vec3 rise = -(s.extinction + colours()) * s.path * d.z;
-        return strength * light *
-               vec3(scattered_once(c.r, rise.r, way), scattered_once(c.g, rise.g, way), scattered_once(c.b, rise.b, way));
+        return strength * here *
+               vec3(scattered_once(c.x, rise.x, way), scattered_once(c.y, rise.y, way), scattered_once(c.z, rise.z, way));
     }
     const int parts = 5;
     float step = way / parts;
@@ -105,7 +107,7 @@ vec3 seen_in_water(vec3 from, vec3 d, float width, PerPixel moved, PerPixel turn
     width += m.way * pixel_width() * (1 / s.index);
     vec3 plane = m.wall < 0 ? vec3(0, 0, 1) : wall_inward(m.wall);
     vec2 widths = widths_on_pattern(m.wall, moved_along(moved, turned, d, m.way, plane));
-    vec3 seen = radiance_in_water(m.wall, place, width, widths);
+    vec3 seen = radiance_in_water(m.wall, place, width, widths, 1);
     if (overlay == OVERLAY_FLOOR || overlay == OVERLAY_ERROR) return seen;
     return seen * exp(-sight_extinction() * m.way) + scattered(from, d, m.way);
 }

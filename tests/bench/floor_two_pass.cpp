@@ -13,30 +13,52 @@ namespace waterlight::bench {
 
 namespace {
 
-Surface pool(int width, int height) {
-    const Grid grid = make_grid(256, 256 * height / width, 8, 8.0 * height / width);
-    return test::sample(grid, {Side::wall, Side::wall},
-                        test::sines({{.0006, 1, 0}, {.0004, .7, 40}, {.0003, .5, 110}, {.0005, 1.3, 75}}));
+const test::Formula waves = test::sines({{.0006, 1, 0}, {.0004, .7, 40}, {.0003, .5, 110}, {.0005, 1.3, 75}});
+
+/// Percent, over the middle of the map.
+double rmse_percent(const FloorScene& scene, const FloorMap& map) {
+    constexpr int middle = 96;
+    const FloorPlan& plan = scene.settings.plan;
+    const glm::ivec2 first{(plan.width - middle) / 2, (plan.height - middle) / 2};
+    TruthSettings truth{scene.settings, 4, 16, 1e-3};
+    truth.floor.plan.origin_m = plan.position_m(first);
+    truth.floor.plan.width = truth.floor.plan.height = middle;
+    const Surface& surface = scene.surface;
+    const TruthMap exact = truth_map(truth, test::as_truth(surface.grid, surface.boundary, waves));
+    Field<float> part(middle, middle);
+    for (int j = 0; j < middle; ++j)
+        for (int i = 0; i < middle; ++i) part(i, j) = map.irradiance(first.x + i, first.y + j);
+    return 100 * relative_rmse(part, exact.irradiance);
 }
 
 }  // namespace
 
-static void floor_two_pass(benchmark::State& state, FloorCase c, Footprint footprint, const MakeMapper& make) {
-    const Surface surface = pool(c.width, c.height);
-    FloorSettings settings;
-    settings.plan = cover(surface.grid, c.width, c.height);
-    settings.footprint = footprint;
-    settings.window = FloorWindow{c.window, c.window};
-    settings.depth_m = 1;
-    settings.sun.elevation_deg = 60;
-    const std::unique_ptr<FloorMapper> mapper = make(settings);
-    FloorMap map;
-    mapper->compute(surface, map);
-    for (auto _ : state) mapper->compute(surface, map);
+FloorScene floor_scene(const FloorCase& c) {
+    const Grid grid = make_grid(256, 256 * c.height / c.width, 8, 8.0 * c.height / c.width);
+    FloorScene scene{test::sample(grid, {Side::wall, Side::wall}, waves), {}};
+    scene.settings.plan = cover(grid, c.width, c.height);
+    scene.settings.window = FloorWindow{c.window, c.window};
+    scene.settings.depth_m = 1;
+    scene.settings.sun.elevation_deg = 60;
+    return scene;
+}
+
+void count(benchmark::State& state, const FloorScene& scene, const FloorMap& map) {
     const double light = map.ledger.incident_w - map.ledger.reflected_w;
     state.counters["lost_percent"] = 100 * map.ledger.lost_w / light;
+    state.counters["rmse_percent"] = rmse_percent(scene, map);
     state.counters["pixels_per_s"] =
-        benchmark::Counter(double(c.width) * c.height, benchmark::Counter::kIsIterationInvariantRate);
+        benchmark::Counter(static_cast<double>(map.irradiance.size()), benchmark::Counter::kIsIterationInvariantRate);
+}
+
+static void floor_two_pass(benchmark::State& state, FloorCase c, Footprint footprint, const MakeMapper& make) {
+    FloorScene scene = floor_scene(c);
+    scene.settings.footprint = footprint;
+    const std::unique_ptr<FloorMapper> mapper = make(scene.settings);
+    FloorMap map;
+    mapper->compute(scene.surface, map);
+    for (auto _ : state) mapper->compute(scene.surface, map);
+    count(state, scene, map);
 }
 
 void register_floor(const std::string& backend, const MakeMapper& make) {

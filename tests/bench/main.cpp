@@ -38,6 +38,8 @@ void register_vulkan() {
 
 int main(int argc, char** argv) {
     bench::register_floor("cpu", make_floor_cpu);
+    bench::register_floor_quads();
+    bench::register_floor_photons();
     bench::register_shallow("cpu", make_shallow_water<float>);
     bench::register_beams("cpu", make_beam_renderer_cpu);
     bench::register_beam_parts();

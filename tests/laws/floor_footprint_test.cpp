@@ -5,67 +5,12 @@
 
 #include <cstring>
 
-#include "tests/support/surfaces.hpp"
+#include "tests/support/floor_scenes.hpp"
 
 namespace waterlight {
 namespace {
 
 using namespace test;
-
-constexpr Boundary periodic{Side::periodic, Side::periodic};
-const double root_two = std::sqrt(2.0);
-
-/// Waves of 0.5 m over one period of their pattern.
-struct Scene {
-    Formula waves;
-    glm::dvec2 period_m;
-    double depth_m;
-    Sun sun{90, 0, 1};
-    double aspect = 1;  ///< dx / dy
-    double truth_tolerance = 1e-4;
-    int rows = 0;  ///< of pixels, of what is the same along y; 0: a whole period
-};
-
-Scene sine(double depth_m) {
-    return {.waves = sines({{.01, .5, 0}}), .period_m = {.5, .5}, .depth_m = depth_m, .rows = 4};
-}
-
-Scene crate(double depth_m) { return {.waves = egg_crate(.006, .5), .period_m = {.5, .5}, .depth_m = depth_m}; }
-
-Scene crossed(double depth_m) {
-    return {.waves = sines({{.005, .5, 45}, {.004, .5, 135}}),
-            .period_m = {.5 * root_two, .5 * root_two},
-            .depth_m = depth_m};
-}
-
-Scene skew(double azimuth_deg) {
-    return {.waves = sines({{.01, .5, 30}}),
-            .period_m = {1 / std::sqrt(3.0), 1},
-            .depth_m = 2,
-            .sun = {45, azimuth_deg, 1},
-            .aspect = 2,
-            .truth_tolerance = 5e-4};
-}
-
-struct Solved {
-    Surface surface;
-    FloorSettings settings;
-    TruthMap truth;
-};
-
-/// The scene at about so many pixels a wave, one cell and one sample a pixel, and its truth.
-Solved solve(const Scene& scene, int per_wave) {
-    const double dx = .5 / per_wave, dy = dx / scene.aspect;
-    const int nx = static_cast<int>(std::lround(scene.period_m.x / dx));
-    const int ny = scene.rows > 0 ? scene.rows : static_cast<int>(std::lround(scene.period_m.y / dy));
-    const Grid grid = make_grid(nx, ny, scene.period_m.x, scene.rows > 0 ? ny * dy : scene.period_m.y);
-    FloorSettings s;
-    s.plan = cover(grid, nx, ny);
-    s.depth_m = scene.depth_m;
-    s.sun = scene.sun;
-    return {sample(grid, periodic, scene.waves), s,
-            truth_map({s, 4, 64, scene.truth_tolerance}, as_truth(grid, periodic, scene.waves))};
-}
 
 FloorMap map_of(const FloorSettings& settings, const Surface& surface) {
     FloorMap map;
@@ -74,8 +19,8 @@ FloorMap map_of(const FloorSettings& settings, const Surface& surface) {
 }
 
 /// Percent, of the adaptive footprint through its own window.
-double error_of(const Scene& scene, int per_wave) {
-    const Solved solved = solve(scene, per_wave);
+double error_of(const FloorScene& scene, int per_wave) {
+    const SolvedFloor solved = solve(scene, per_wave);
     const FloorMap map = map_of(solved.settings, solved.surface);
     EXPECT_LT(map.ledger.closure(), 1e-6);
     EXPECT_LT(map.ledger.lost_w, 1e-6 * map.ledger.incident_w);
@@ -109,7 +54,7 @@ TEST(AdaptiveFootprint, ErrorFallsWithThePixel) {
     // off by a part of what irradiance changes over one. Before focus and beyond, in one dimension and in two.
     struct Case {
         const char* name;
-        Scene scene;
+        FloorScene scene;
         int finest;
     };
     for (const Case& c : {Case{"sine_1", sine(1), 512},
@@ -128,7 +73,7 @@ TEST(AdaptiveFootprint, ErrorFallsWithThePixel) {
 }
 
 TEST(AdaptiveFootprint, MoreSamplesAPixelAreMoreExact) {
-    const Solved solved = solve(crossed(3), 32);
+    const SolvedFloor solved = solve(crossed(3), 32);
     double last = 1;
     for (const int samples : {1, 2, 4}) {
         FloorSettings s = solved.settings;

@@ -38,6 +38,16 @@ TEST(PictureRays, RefractedAndReflectedRaysTurnAsTheirDifferencesSay) {
                 (reflected(step) - reflected(-step)) / (2 * step));
 }
 
+TEST(PictureRays, NoMoreLightPassesThanThereIs) {
+    for (int i = 0; i <= 2000; ++i)
+        for (int k = 1; k <= 2000; ++k) {
+            const float n = 1 + 2e-4F * static_cast<float>(k) / 2000, cosine = static_cast<float>(i) / 2000;
+            const glm::vec3 d{std::sqrt(1 - cosine * cosine), 0, -cosine};
+            const float through = f32::refract_ray(d, {0, 0, 1}, n, 1).transmittance;
+            ASSERT_TRUE(through >= 0 && through <= 1) << through << " at n = " << n << ", cosine " << cosine;
+        }
+}
+
 TEST(PictureRays, APlaceMovesOnItsPlaneAsItsRayTurns) {
     const glm::dvec3 eye{1, 2, 3}, normal = f64::normal_of({0.2, -0.3});
     const auto way = [&](double u) { return -glm::dot(eye, normal) / glm::dot(ray(u), normal); };

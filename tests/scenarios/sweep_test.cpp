@@ -222,6 +222,50 @@ TEST(SweepOfAFormula, HasNoErrorOfWavesWhereCellsAreFine) {
     }
 }
 
+// The method is a setting like any other: each is judged by the truth.
+TEST(SweepOfMethods, JudgesThemAll) {
+    const Scratch folder("methods");
+    const std::string scenario = (fs::path(WATERLIGHT_SOURCE) / "scenarios/pool.toml").string();
+    const fs::path out = folder / "out";
+    const Words words{"sweep",
+                      scenario,
+                      "--out",
+                      out.string(),
+                      "--set",
+                      "waves.duration_s=0.3",
+                      "--set",
+                      "domain.cells=[64,48]",
+                      "--set",
+                      "caustics.floor.pixels=[64,48]",
+                      "--set",
+                      "caustics.floor.photons={map=256, passes=4}",
+                      "--vary",
+                      "caustics.floor.method=two-pass,quads,splat,photons,truth",
+                      "--reference-tolerance",
+                      "0.02"};
+    const Outcome outcome = run_program(words);
+    ASSERT_EQ(outcome.exit, 0) << outcome.output;
+    std::map<std::string, double> errors;
+    for (const auto& [name, time] : files_of(out / "settings")) {
+        const auto json = nlohmann::json::parse(read_file(name));
+        errors[json["overrides"].back().get<std::string>()] = json["errors"]["light"];
+    }
+    ASSERT_EQ(errors.size(), 5U);
+    for (const auto& [method, error] : errors) EXPECT_LT(error, 0.3) << method;
+    EXPECT_LT(errors["caustics.floor.method=truth"], 0.01);
+    EXPECT_GT(errors["caustics.floor.method=photons"], errors["caustics.floor.method=quads"]) << "noise";
+
+    Words with_object = words;
+    with_object.insert(with_object.end(), {"--set", "object=[{type=\"sphere\", name=\"s\", centre_m=[1, 1, -1]}]",
+                                           "--vary", "light.elevation_deg=30,40"});
+    std::erase(with_object, "caustics.floor.method=two-pass,quads,splat,photons,truth");
+    std::erase(with_object, "--vary");
+    with_object.insert(with_object.end() - 1, "--vary");
+    const Outcome refused = run_program(with_object);
+    EXPECT_EQ(refused.exit, 2) << refused.output;
+    EXPECT_NE(refused.output.find("object: found it in a sweep"), std::string::npos) << refused.output;
+}
+
 TEST(ErrorField, IsWrittenBesideIrradianceAndElevationAndCanBeChecked) {
     const Scratch folder("error field");
     const auto scenario = folder.write(

@@ -393,21 +393,20 @@ TEST_F(SessionTest, NobodyWaitsForASlowSolver) {
                                     "caustics.floor.pixels=[160, 120]"}),
                     cpu, {.frame_s = 0.01, .plays = true});
     session.drop({1, 0.7}, 0.1, 0.01);
-    std::vector<double> calls;
+    // Were a reader held up by the solver, each of its calls would find another frame.
     Session::Ticket last = 0;
-    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(500);
-    std::uint64_t first = session.latest()->number;
-    while (std::chrono::steady_clock::now() < end) {
-        const auto before = std::chrono::steady_clock::now();
-        const auto seen = session.latest();
+    const std::uint64_t first = session.latest()->number;
+    std::uint64_t number = first;
+    int within_frame = 0, most_within_frame = 0;
+    for (int n = 0; n < 500; ++n) {
+        const std::uint64_t seen = session.latest()->number;
         last = session.drop({0.5, 0.5}, 0.1, 1e-4);
-        calls.push_back(std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - before).count());
+        within_frame = seen == number ? within_frame + 1 : 0;
+        most_within_frame = std::max(most_within_frame, within_frame);
+        number = seen;
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    std::ranges::nth_element(calls, calls.begin() + static_cast<std::ptrdiff_t>(calls.size() / 2));
-    const double median = calls[calls.size() / 2];
-    RecordProperty("median_us", std::to_string(median));
-    EXPECT_LT(median, 1000);  // a frame takes a hundred times that
+    EXPECT_GT(most_within_frame, 20);
     session.await(last);
     EXPECT_GT(session.latest()->number, first);
     EXPECT_LT(session.status().rate, 1);

@@ -1,0 +1,302 @@
+// What VTK's readers of meshes take on trust (9.1), checked before they see it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "caustics/objects/mesh_file.hpp"
+#include "sim/error.hpp"
+
+namespace waterlight {
+
+namespace {
+
+constexpr std::size_t longest_line = 4000;  // of the readers' buffers
+constexpr std::size_t most_corners = 255;   // of a polygon
+
+[[noreturn]] void reject(const std::filesystem::path& file, const std::string& why) {
+    throw InputError(fmt::format("{}: {}", file.string(), why));
+}
+
+/// Takes a line off the front; without its end.
+std::string_view take_line(std::string_view& text) {
+    const std::size_t end = text.find('\n');
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    return line;
+}
+
+/// Takes a word off the front; empty where there is none.
+std::string_view take_word(std::string_view& line) {
+    constexpr std::string_view blanks = " \t\r\v\f";
+    line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+    const std::string_view word = line.substr(0, line.find_first_of(blanks));
+    line.remove_prefix(word.size());
+    return word;
+}
+
+template <class Number>
+std::optional<Number> number_in(std::string_view word) {
+    Number n{};
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), n);
+    return error == std::errc() && end == word.data() + word.size() ? std::optional(n) : std::nullopt;
+}
+
+bool is_number(std::string_view word) {
+    if (!word.empty() && word.front() == '+') word.remove_prefix(1);
+    return number_in<double>(word).has_value();
+}
+
+// .obj
+
+struct ObjCounts {
+    std::int64_t v = 0, vt = 0, vn = 0;
+};
+
+/// "7", "7/3", "7//2", "7/3/2", each from 1 or back from -1.
+bool is_corner(std::string_view word, const ObjCounts& had) {
+    const std::int64_t counts[] = {had.v, had.vt, had.vn};
+    for (int part = 0; part < 3; ++part) {
+        const std::size_t slash = word.find('/');
+        const std::string_view digits = word.substr(0, slash);
+        if (!digits.empty() || part != 1) {
+            const auto n = number_in<std::int64_t>(digits);
+            if (!n || *n == 0 || *n > counts[part] || -*n > counts[part]) return false;
+        }
+        if (slash == std::string_view::npos) return true;
+        word.remove_prefix(slash + 1);
+    }
+    return false;
+}
+
+// .ply
+
+struct PlyProperty {
+    std::size_t count_bytes = 0;  ///< of the number before a list; 0: no list
+    std::size_t bytes = 0;
+};
+
+struct PlyElement {
+    std::string_view name;
+    std::uint64_t rows = 0;
+    std::vector<PlyProperty> properties;
+    std::vector<std::string_view> names;
+};
+
+enum class PlyFormat { ascii, little, big };
+
+struct PlyHeader {
+    PlyFormat format = PlyFormat::ascii;
+    std::vector<PlyElement> elements;
+};
+
+std::size_t bytes_of_type(std::string_view type) {
+    static const std::map<std::string_view, std::size_t> types{
+        {"char", 1},  {"uchar", 1},   {"int8", 1},   {"uint8", 1},  {"short", 2}, {"ushort", 2},
+        {"int16", 2}, {"uint16", 2},  {"int", 4},    {"uint", 4},   {"int32", 4}, {"uint32", 4},
+        {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
+    const auto found = types.find(type);
+    return found == types.end() ? 0 : found->second;
+}
+
+bool is_float(std::string_view type) { return type.starts_with("float") || type == "double"; }
+
+class PlyChecker {
+  public:
+    PlyChecker(const std::filesystem::path& file, std::string_view bytes) : file_(file), rest_(bytes) {}
+
+    void check() {
+        read_header();
+        require_mesh();
+        for (const PlyElement& element : header_.elements)
+            for (std::uint64_t row = 0; row < element.rows; ++row)
+                header_.format == PlyFormat::ascii ? check_line(element) : check_row(element);
+    }
+
+  private:
+    void require(bool holds, const std::string& otherwise) const {
+        if (!holds) reject(file_, otherwise);
+    }
+
+    void read_header() {
+        require(take_line(rest_) == "ply", "is no .ply: it does not begin with \"ply\"");
+        read_format();
+        while (true) {
+            require(!rest_.empty(), "its header has no end");
+            std::string_view line = take_line(rest_);
+            require(line.size() <= longest_line, "a line of its header is too long");
+            const std::string_view word = take_word(line);
+            if (word == "end_header") return;
+            if (word == "element")
+                add_element(line);
+            else if (word == "property")
+                add_property(line);
+            else
+                require(word == "comment" || word == "obj_info", "its header has an unknown line");
+        }
+    }
+
+    void read_format() {
+        std::string_view line = take_line(rest_);
+        const std::string_view head = take_word(line), name = take_word(line), version = take_word(line);
+        const bool known = name == "ascii" || name == "binary_little_endian" || name == "binary_big_endian";
+        require(head == "format" && known && version == "1.0", "has no format that is known");
+        header_.format = name == "ascii"                  ? PlyFormat::ascii
+                         : name == "binary_little_endian" ? PlyFormat::little
+                                                          : PlyFormat::big;
+    }
+
+    void add_element(std::string_view line) {
+        PlyElement element;
+        element.name = take_word(line);
+        const auto rows = number_in<std::uint32_t>(take_word(line));
+        // Each takes a byte of the file at least.
+        require(rows && *rows <= rest_.size(), "claims more elements than its bytes can hold");
+        element.rows = *rows;
+        require(std::ranges::none_of(header_.elements, [&](const auto& e) { return e.name == element.name; }),
+                "has an element twice");
+        header_.elements.push_back(element);
+    }
+
+    void add_property(std::string_view line) {
+        require(!header_.elements.empty(), "has a property of no element");
+        PlyProperty property;
+        std::string_view type = take_word(line);
+        if (type == "list") {
+            const std::string_view count = take_word(line);
+            property.count_bytes = bytes_of_type(count);
+            require(property.count_bytes > 0 && !is_float(count), "has a list whose length has no type that is known");
+            type = take_word(line);
+        }
+        property.bytes = bytes_of_type(type);
+        const std::string_view name = take_word(line);
+        require(property.bytes > 0 && !name.empty(), "has a property of no type that is known");
+        header_.elements.back().properties.push_back(property);
+        header_.elements.back().names.push_back(name);
+    }
+
+    const PlyElement& element(std::string_view name) const {
+        const auto found = std::ranges::find(header_.elements, name, &PlyElement::name);
+        require(found != header_.elements.end(), fmt::format("has no element \"{}\"", name));
+        return *found;
+    }
+
+    void require_mesh() const {
+        const PlyElement &vertex = element("vertex"), &face = element("face");
+        const auto has = [this](const PlyElement& in, std::string_view name, bool is_list) {
+            const auto found = std::ranges::find(in.names, name);
+            if (found == in.names.end()) return false;
+            const auto n = static_cast<std::size_t>(found - in.names.begin());
+            return (in.properties[n].count_bytes > 0) == is_list;
+        };
+        for (const std::string_view axis : {"x", "y", "z"})
+            require(has(vertex, axis, false), fmt::format("its corners have no {}", axis));
+        require(has(face, "vertex_indices", true) || has(face, "vertex_index", true),
+                "its faces have no list vertex_indices");
+        require(&vertex < &face, "has its faces before its corners");
+        for (const PlyElement& e : header_.elements) require(!e.properties.empty(), "has an element of no property");
+    }
+
+    void check_line(const PlyElement& element) {
+        require(!rest_.empty(), "is cut short");
+        std::string_view line = take_line(rest_);
+        require(line.size() <= longest_line, "has a line that is too long");
+        const auto next = [&] {
+            const std::string_view word = take_word(line);
+            require(is_number(word), "has no number where one must be");
+            return word;
+        };
+        for (const PlyProperty& property : element.properties) {
+            const std::string_view first = next();
+            if (property.count_bytes == 0) continue;
+            const auto count = number_in<std::uint64_t>(first);
+            require(count && *count <= most_corners, "has a list that is too long");
+            for (std::uint64_t k = 0; k < *count; ++k) next();
+        }
+    }
+
+    void check_row(const PlyElement& element) {
+        for (const PlyProperty& property : element.properties) {
+            if (property.count_bytes == 0) {
+                skip(property.bytes);
+                continue;
+            }
+            const std::uint64_t count = take_count(property.count_bytes);
+            require(count <= most_corners, "has a list that is too long");
+            skip(count * property.bytes);
+        }
+    }
+
+    void skip(std::uint64_t bytes) {
+        require(bytes <= rest_.size(), "is cut short");
+        rest_.remove_prefix(bytes);
+    }
+
+    std::uint64_t take_count(std::size_t bytes) {
+        require(bytes <= rest_.size(), "is cut short");
+        std::uint64_t count = 0;
+        for (std::size_t k = 0; k < bytes; ++k) {
+            const auto byte = static_cast<unsigned char>(rest_[k]);
+            count |= static_cast<std::uint64_t>(byte) << (8 * (header_.format == PlyFormat::big ? bytes - 1 - k : k));
+        }
+        rest_.remove_prefix(bytes);
+        return count;
+    }
+
+    const std::filesystem::path& file_;
+    std::string_view rest_;
+    PlyHeader header_;
+};
+
+bool is_printable(std::string_view text) {
+    return std::ranges::all_of(text, [](unsigned char c) { return c >= 0x20 || c == '\n' || c == '\r' || c == '\t'; });
+}
+
+}  // namespace
+
+void check_obj(const std::filesystem::path& file, std::string_view text) {
+    if (!is_printable(text)) reject(file, "is no text, as an .obj is");
+    ObjCounts had;
+    for (std::size_t number = 1; !text.empty(); ++number) {
+        std::string_view line = take_line(text);
+        const auto fail = [&](const char* what) { reject(file, fmt::format("line {}: {}", number, what)); };
+        if (line.size() > longest_line) fail("it is too long");
+        if (!line.empty() && line.back() == '\\') fail("it goes on in the next, which is not read");
+        const std::string_view word = take_word(line);
+        std::size_t wanted = word == "v" || word == "vn" ? 3 : word == "vt" ? 1 : 0;
+        for (; wanted > 0; --wanted)
+            if (!is_number(take_word(line))) fail("found no number; allowed: as many as its first word wants");
+        had.v += word == "v" ? 1 : 0;
+        had.vt += word == "vt" ? 1 : 0;
+        had.vn += word == "vn" ? 1 : 0;
+        if (word != "f" && word != "l" && word != "p") continue;
+        std::size_t corners = 0;
+        for (std::string_view corner = take_word(line); !corner.empty(); corner = take_word(line), ++corners)
+            if (!is_corner(corner, had)) fail("it names a corner that is not there");
+        if (corners > most_corners) fail("it has too many corners");
+        if (word == "f" && corners < 3) fail("it has fewer than three corners");
+    }
+}
+
+void check_ply(const std::filesystem::path& file, std::string_view bytes) { PlyChecker(file, bytes).check(); }
+
+void check_stl(const std::filesystem::path& file, std::string_view bytes) {
+    constexpr std::size_t header = 80, triangle = 50;
+    std::string_view begin = bytes;
+    if (take_word(begin) == "solid" && is_printable(bytes)) return;
+    if (bytes.size() < header + 4) reject(file, "is cut short");
+    std::uint32_t count = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+        count |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[header + k])) << (8 * k);
+    if ((bytes.size() - header - 4) / triangle < count)
+        reject(file, fmt::format("claims {} triangles, more than its {} bytes can hold", count, bytes.size()));
+}
+
+}  // namespace waterlight

@@ -1,0 +1,24 @@
+// Closed surfaces of triangles from files.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "caustics/objects/object.hpp"
+
+namespace waterlight {
+
+/// The surface in an .obj, .ply or .stl, its lengths times `scale`: polygons as triangles, corners at one place as one.
+/// `smooth`: with normals that are the means of those of the triangles around a corner, weighted by area; else facets
+/// are flat. What else the file says (colours, textures, normals) is not read. Throws InputError naming the file where
+/// it is missing, has another ending, is not what its ending says, names corners that it does not have, or has no
+/// triangle. Whether the surface is closed is for validate() to say.
+Mesh read_mesh(const std::filesystem::path& file, double scale = 1, bool smooth = false);
+
+/// Throws InputError where what VTK's readers take on trust does not hold: they crash on numbers of corners or places
+/// of data that a file only claims.
+void check_obj(const std::filesystem::path& file, std::string_view text);
+void check_ply(const std::filesystem::path& file, std::string_view bytes);
+void check_stl(const std::filesystem::path& file, std::string_view bytes);
+
+}  // namespace waterlight

@@ -1,0 +1,167 @@
+// Mirrors and diffuse things, shadows on them, and what a traced picture refuses.
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include "caustics/kernels/optics.hpp"
+#include "sim/error.hpp"
+#include "tests/support/traced_scenes.hpp"
+
+namespace waterlight {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Level mirrors send the sky's radiance of the mirrored direction, times their reflectance.
+TEST(TracedObjects, MirrorShowsTheSkyInIt) {
+    const Surface surface = calm_surface(Side::wall);
+    TracedScene scene = dry_scene(surface);
+    scene.scene.sun = {40, 0, 1000};
+    Look look;
+    const glm::dvec3 eye{4, 1, 2}, to{4, 3, 0.5};
+    const TracedPicture up = trace_picture(
+        scene, look, camera_at({4, 3, 3}, glm::dvec3(4, 3, 3) + (to - eye) * glm::dvec3(1, 1, -1), {1, 1}),
+        {.samples = 1});
+    scene.objects = set_of({object_of(Box{{2, 2, 1}}, mirror_of(0.8), {4, 3, 0})});
+    const TracedPicture in_mirror = trace_picture(scene, look, camera_at(eye, to, {1, 1}), {.samples = 1});
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(in_mirror.radiance.rgb[c] / up.radiance.rgb[c], 0.8, 1e-4);
+}
+
+/// The mirror shows the sun's disc whole: integrated over the picture it brings E0 times the reflectance.
+TEST(TracedObjects, MirrorShowsTheSunWithAllItsLight) {
+    const Surface surface = calm_surface(Side::wall);
+    TracedScene scene = dry_scene(surface);
+    scene.scene.sun = {90, 0, 1000};
+    Look look;
+    look.sky = {Sky::Type::uniform, 0.0};
+    scene.objects = set_of({object_of(Box{{2, 2, 1}}, mirror_of(0.8), {4, 3, 0})});
+    for (const double fov : {2.0, 30.0}) {  // the disc of many pixels, and of less than one
+        Camera camera = camera_at({4, 3, 3}, {4, 3, 0.5}, {64, 64});
+        camera.fov_deg = fov;
+        camera.position_m.x += 1e-3;
+        const TracedPicture seen = trace_picture(scene, look, camera, {.samples = 16});
+        const double pixel = 2 * std::tan(fov * pi / 360) / 64;
+        double sum = 0;
+        for (int j = 0; j < 64; ++j)
+            for (int i = 0; i < 64; ++i) {
+                const double off = std::hypot(i - 31.5, j - 31.5) * pixel;
+                sum += radiance_at(seen.radiance, i, j).x * pixel * pixel * std::pow(1 + off * off, -1.5);
+            }
+        EXPECT_NEAR(sum / 800, 1, fov < 10 ? 0.01 : 0.1) << fov;
+    }
+}
+
+/// Lambert: E0 cos times the reflectance over pi, in the sun; nothing in a shadow.
+TEST(TracedObjects, DiffuseFollowsLambertAndLiesInShadow) {
+    const Surface surface = calm_surface(Side::wall);
+    TracedScene scene = dry_scene(surface);
+    Look look = plain_look(0.5);
+    look.sky.irradiance_w_m2 = 0.0;
+    look.exposure_w_m2_sr = 100;
+    const Camera camera = camera_at({4, 3, 4}, {4, 3, 0.5}, {1, 1});
+    for (const double elevation : {90.0, 60.0, 20.0}) {
+        scene.scene.sun = {elevation, 0, 1000};
+        const Object table = object_of(Box{{1, 1, 1}}, diffuse_of(0.6), {4, 3, 0.5});
+        scene.objects = set_of({table});
+        const double lit = 0.6 * 1000 * std::sin(elevation * pi / 180) / pi;
+        EXPECT_NEAR(trace_picture(scene, look, camera, {.samples = 1}).radiance.rgb[0], lit, 1e-3 * lit);
+        const double e = elevation * pi / 180;
+        const glm::dvec3 towards{std::cos(e), 0, std::sin(e)};
+        if (elevation == 90) continue;
+        scene.objects = set_of({table, object_of(Sphere{0.2}, mirror_of(1), glm::dvec3(4, 3, 1) + 1.5 * towards)});
+        EXPECT_NEAR(trace_picture(scene, look, camera, {.samples = 1}).radiance.rgb[0], 0, 1e-3 * lit);
+        // A pane of glass across the way lets 4 % and 4 % less through.
+        scene.objects = set_of({table, object_of(Box{{12, 12, 0.01}}, glass_of(1.5), {4, 3, 2})});
+        const Camera below = camera_at({4, 2.4, 1.5}, {4, 3, 1}, {1, 1});
+        const double through = trace_picture(scene, look, below, {.samples = 1}).radiance.rgb[0] / lit;
+        const double t = std::asin(std::cos(e) / 1.5), i = pi / 2 - e;
+        const double s = std::pow(std::sin(i - t) / std::sin(i + t), 2),
+                     p = std::pow(std::tan(i - t) / std::tan(i + t), 2);
+        EXPECT_NEAR(through, std::pow(1 - 0.5 * (s + p), 2), 2e-3) << elevation;
+    }
+}
+
+/// I cos / r^2 within the cone of a spot, nothing beyond.
+TEST(TracedObjects, LampFollowsTheInverseSquare) {
+    const Surface surface = calm_surface(Side::wall);
+    TracedScene scene = dry_scene(surface);
+    scene.scene.sun.irradiance_w_m2 = 0;
+    Look look = plain_look(0.5);
+    look.sky.irradiance_w_m2 = 0.0;
+    scene.objects = set_of({object_of(Box{{1, 1, 1}}, diffuse_of(0.6), {4, 3, 0.5})});
+    const Camera camera = camera_at({4, 3, 4}, {4, 3, 0.5}, {1, 1});
+    for (const double half : {30.0, 5.0}) {
+        scene.lamp = Lamp{Lamp::Type::spot, {5, 3, 3}, 200, {5, 3, 0}, half};
+        const double expected = half > 26.6 ? 0.6 / pi * 200 / 5 * 2 / std::sqrt(5.0) : 0;
+        EXPECT_NEAR(trace_picture(scene, look, camera, {.samples = 1}).radiance.rgb[0], expected,
+                    1e-3 * expected + 1e-9);
+    }
+}
+
+/// Under still water a level thing has the refracted sun, less what the water took on its way, and on that of sight.
+TEST(TracedObjects, DiffuseInTheWaterHasTheSunOfItsDepth) {
+    const Surface surface = calm_surface(Side::absorbing);
+    TracedScene scene;
+    scene.scene.surface = &surface;
+    scene.scene.depth_m = 5;
+    scene.scene.optics.absorption_per_m = 0.2;
+    Look look = plain_look(0);
+    look.sky.irradiance_w_m2 = 0.0;
+    const glm::dvec3 eye{4, 3, -0.1}, on{4.1, 3.1, -1};
+    for (const double elevation : {90.0, 50.0, 25.0}) {
+        scene.scene.sun = {elevation, 30, 1000};
+        const f64::Refraction r = f64::refract_sun(scene.scene.sun.direction(), {0, 0}, 4.0 / 3, 1);
+        const double down = 1000 * r.incident * r.transmittance * std::exp(-0.2 * r.path);
+        const double expected = 0.6 / pi * down * std::exp(-0.2 * glm::length(on - eye));
+        scene.objects = set_of({object_of(Box{{2, 2, 1}}, diffuse_of(0.6), {4, 3, -1.5})});
+        const auto seen = [&] {
+            return trace_picture(scene, look, camera_at(eye, on, {1, 1}), {.samples = 1}).radiance.rgb[0];
+        };
+        EXPECT_NEAR(seen() / expected, 1, 1e-4) << elevation;
+        // What hangs in the air where the sun enters keeps it off.
+        const glm::dvec3 enters = on + glm::dvec3(-r.travel, 1.0), towards = -scene.scene.sun.direction();
+        scene.objects = set_of({scene.objects->objects()[0], object_of(Sphere{0.2}, diffuse_of(0), enters + towards)});
+        EXPECT_EQ(seen(), 0) << elevation;
+    }
+}
+
+TEST(TracedObjects, SameBytesWhateverTheThreads) {
+    const Surface surface = wavy_surface(Side::periodic);
+    TracedScene scene;
+    scene.scene.surface = &surface;
+    scene.objects =
+        set_of({object_of(Sphere{0.5}, glass_of(1.5), {3, 3, 0}), object_of(Cup{}, diffuse_of(0.5), {5, 3, -0.9})});
+    const Camera camera = camera_at({4, -1, 2}, {4, 3, 0}, {60, 41});
+    const int threads = omp_get_max_threads();
+    omp_set_num_threads(1);
+    const TracedPicture one = trace_picture(scene, {}, camera, {.samples = 4});
+    omp_set_num_threads(4);
+    int calls = 0;
+    double last = 0;
+    const TracedPicture four = trace_picture(scene, {}, camera, {.samples = 4, .progress = [&](double part) {
+                                                                     ++calls;
+                                                                     last = std::max(last, part);
+                                                                 }});
+    omp_set_num_threads(threads);
+    EXPECT_EQ(one.radiance.rgb, four.radiance.rgb);
+    EXPECT_EQ(calls, 41);
+    EXPECT_EQ(last, 1);
+}
+
+TEST(TracedObjects, RefusesWhatIsOutOfRange) {
+    const Surface surface = calm_surface(Side::wall);
+    TracedScene scene;
+    scene.scene.surface = &surface;
+    const Camera camera = camera_at({4, -1, 2}, {4, 3, 0}, {4, 3});
+    EXPECT_THROW(trace_picture(scene, {}, camera, {.samples = 0}), InputError);
+    EXPECT_THROW(trace_picture(scene, {}, camera, {.bounces = 0}), InputError);
+    EXPECT_THROW(trace_picture(scene, {}, camera, {.least_share = 1}), InputError);
+    Look overlay;
+    overlay.overlay = Overlay::elevation;
+    EXPECT_THROW(trace_picture(scene, overlay, camera, {}), InputError);
+    Camera wrong = camera;
+    wrong.fov_deg = 180;
+    EXPECT_THROW(trace_picture(scene, {}, wrong, {}), InputError);
+}
+
+}  // namespace
+}  // namespace waterlight

@@ -1,0 +1,196 @@
+// Closed surfaces from .obj, .ply and .stl: the same body from each, and what is no mesh refused by name.
+#include "caustics/objects/mesh_file.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "sim/error.hpp"
+
+namespace waterlight {
+namespace {
+
+namespace fs = std::filesystem;
+
+class MeshFile : public ::testing::Test {
+  protected:
+    MeshFile() { fs::create_directories(folder_); }
+    ~MeshFile() override { fs::remove_all(folder_); }
+
+    fs::path write(const std::string& name, const std::string& bytes) const {
+        std::ofstream(folder_ / name, std::ios::binary) << bytes;
+        return folder_ / name;
+    }
+    /// What is said of a file with these bytes.
+    std::string refusal(const std::string& name, const std::string& bytes) const {
+        try {
+            read_mesh(write(name, bytes));
+        } catch (const InputError& error) {
+            EXPECT_EQ(std::string(error.what()).rfind((folder_ / name).string() + ": ", 0), 0U) << error.what();
+            return error.what();
+        }
+        return "read";
+    }
+
+    fs::path folder_ = fs::temp_directory_path() / fmt::format("waterlight_mesh_{}", ::getpid());
+};
+
+double volume_of(const Mesh& mesh) {
+    const auto corner = [&](int k) { return mesh.corners_m[static_cast<std::size_t>(k)]; };
+    double six = 0;
+    for (const glm::ivec3& t : mesh.triangles) six += glm::dot(corner(t.x), glm::cross(corner(t.y), corner(t.z)));
+    return six / 6;
+}
+
+const glm::dvec3 corners[8]{{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {0, 2, 0}, {0, 0, 3}, {1, 0, 3}, {1, 2, 3}, {0, 2, 3}};
+const int faces[6][4]{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+
+std::string obj() {
+    std::string text = "# a box\no box\n";
+    for (const glm::dvec3& p : corners) text += fmt::format("v {} {} {}\n", p.x, p.y, p.z);
+    for (const auto& f : faces) text += fmt::format("f {} {} {} {}\n", f[0] + 1, f[1] + 1, f[2] + 1, f[3] + 1);
+    return text;
+}
+
+std::string ply_header(const char* format) {
+    return fmt::format(
+        "ply\nformat {} 1.0\ncomment a box\nelement vertex 8\nproperty float x\nproperty float y\nproperty float "
+        "z\nelement face 6\nproperty list uchar int vertex_indices\nend_header\n",
+        format);
+}
+
+std::string ply() {
+    std::string text = ply_header("ascii");
+    for (const glm::dvec3& p : corners) text += fmt::format("{} {} {}\n", p.x, p.y, p.z);
+    for (const auto& f : faces) text += fmt::format("4 {} {} {} {}\n", f[0], f[1], f[2], f[3]);
+    return text;
+}
+
+template <class T>
+void put(std::string& bytes, T value) {
+    char raw[sizeof(T)];
+    std::memcpy(raw, &value, sizeof(T));
+    bytes.append(raw, sizeof(T));
+}
+
+std::string binary_ply() {
+    std::string bytes = ply_header("binary_little_endian");
+    for (const glm::dvec3& p : corners)
+        for (int axis = 0; axis < 3; ++axis) put(bytes, static_cast<float>(p[axis]));
+    for (const auto& f : faces) {
+        put(bytes, static_cast<unsigned char>(4));
+        for (const int k : f) put(bytes, k);
+    }
+    return bytes;
+}
+
+std::string stl() {
+    std::string text = "solid box\n";
+    for (const auto& f : faces)
+        for (const int second : {1, 2}) {
+            text += "facet normal 0 0 0\nouter loop\n";
+            for (const int k : {f[0], f[second], f[second + 1]})
+                text += fmt::format("vertex {} {} {}\n", corners[k].x, corners[k].y, corners[k].z);
+            text += "endloop\nendfacet\n";
+        }
+    return text + "endsolid box\n";
+}
+
+std::string binary_stl() {
+    std::string bytes(80, ' ');
+    put(bytes, std::uint32_t{12});
+    for (const auto& f : faces)
+        for (const int second : {1, 2}) {
+            for (int k = 0; k < 3; ++k) put(bytes, 0.0F);
+            for (const int k : {f[0], f[second], f[second + 1]})
+                for (int axis = 0; axis < 3; ++axis) put(bytes, static_cast<float>(corners[k][axis]));
+            put(bytes, std::uint16_t{0});
+        }
+    return bytes;
+}
+
+TEST_F(MeshFile, EachFormatGivesTheSameClosedBody) {
+    const std::pair<const char*, std::string> all[]{
+        {"a.obj", obj()}, {"b.ply", ply()}, {"c.PLY", binary_ply()}, {"d.stl", stl()}, {"e.stl", binary_stl()}};
+    for (const auto& [name, bytes] : all) {
+        SCOPED_TRACE(name);
+        const Mesh mesh = read_mesh(write(name, bytes), 0.5);
+        EXPECT_EQ(mesh.corners_m.size(), 8U);
+        EXPECT_EQ(mesh.triangles.size(), 12U);
+        EXPECT_TRUE(mesh.normals.empty());
+        EXPECT_NEAR(volume_of(mesh), 6.0 / 8, 1e-12) << "corners are counter-clockwise seen from outside";
+        EXPECT_NO_THROW(validate({.name = "box", .shape = mesh}));
+    }
+}
+
+TEST_F(MeshFile, SmoothNormalsOfAGlobePointOutwards) {
+    constexpr int rings = 24, around = 48;
+    std::string text;
+    const auto place = [](int i, int j) {
+        const double theta = std::numbers::pi * i / rings, phi = 2 * std::numbers::pi * j / around;
+        return glm::dvec3(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+    };
+    const auto line = [&](glm::dvec3 p) { text += fmt::format("v {:.9f} {:.9f} {:.9f}\n", p.x, p.y, p.z); };
+    line({0, 0, 1});
+    for (int i = 1; i < rings; ++i)
+        for (int j = 0; j < around; ++j) line(place(i, j));
+    line({0, 0, -1});
+    const auto at = [](int i, int j) {
+        return i == 0 ? 1 : i == rings ? 2 + (rings - 1) * around : 2 + (i - 1) * around + j % around;
+    };
+    for (int i = 0; i < rings; ++i)
+        for (int j = 0; j < around; ++j) {
+            if (i > 0) text += fmt::format("f {} {} {}\n", at(i, j), at(i + 1, j), at(i, j + 1));
+            if (i + 1 < rings) text += fmt::format("f {} {} {}\n", at(i, j + 1), at(i + 1, j), at(i + 1, j + 1));
+        }
+    const Mesh mesh = read_mesh(write("globe.obj", text), 2, true);
+    ASSERT_EQ(mesh.normals.size(), mesh.corners_m.size());
+    EXPECT_NO_THROW(validate({.name = "globe", .shape = mesh}));
+    for (std::size_t k = 0; k < mesh.normals.size(); ++k)
+        EXPECT_GT(glm::dot(mesh.normals[k], glm::normalize(mesh.corners_m[k])), std::cos(0.05));
+}
+
+TEST_F(MeshFile, WhatIsNoMeshIsRefusedByName) {
+    EXPECT_THROW(read_mesh(folder_ / "none.obj"), InputError);
+    const auto expect = [&](const char* name, const std::string& bytes, const char* says) {
+        const std::string message = refusal(name, bytes);
+        EXPECT_NE(message.find(says), std::string::npos) << message;
+    };
+    expect("a.obj", "", "is empty");
+    expect("a.off", "OFF\n", "ends in \".off\"; allowed: .obj, .ply or .stl");
+    expect("b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "has no triangle");
+    expect("c.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "line 4: it names a corner that is not there");
+    expect("d.obj", "v 0 0 0\nv 1 0 x\n", "line 2: found no number");
+    expect("e.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1 2/1 3/1\n", "line 4: it names a corner");
+    expect("f.obj", std::string("v 0 0 0\0", 8), "is no text");
+    expect("g.obj", "v 0 0 0\nv 1 0 nan\nv 0 1 0\nf 1 2 3\n", "");
+    expect("a.ply", "solid", "does not begin with \"ply\"");
+    std::string claims = ply();
+    claims.replace(claims.find("vertex 8"), 8, "vertex 4000000000");
+    expect("b.ply", claims, "claims more elements than its bytes can hold");
+    expect("c.ply", ply().substr(0, ply().size() - 20), "is cut short");
+    expect("d.ply", binary_ply().substr(0, binary_ply().size() - 5), "is cut short");
+    std::string far = ply();
+    far.replace(far.rfind("7\n"), 1, "9");
+    expect("e.ply", far, "names corner 9 of 8");
+    expect("a.stl", "solid nothing\nendsolid nothing\n", "has no triangle");
+    expect("b.stl", binary_stl().substr(0, 300), "claims 12 triangles, more than its 300 bytes can hold");
+    expect("c.stl", "short", "is cut short");
+}
+
+// What is closed in the file is for validate() to say.
+TEST_F(MeshFile, ABoxWithoutItsLidIsNotClosed) {
+    std::string open = obj();
+    open.erase(open.rfind("f "));
+    const Mesh mesh = read_mesh(write("open.obj", open));
+    EXPECT_THROW(validate({.name = "box", .shape = mesh}), InputError);
+}
+
+}  // namespace
+}  // namespace waterlight
