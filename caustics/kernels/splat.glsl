@@ -193,7 +193,9 @@ KERNEL real splat_in_pixel(SplatShape s, real2 corner) {
 }
 
 // Where the lattice ends, at a wall, its light ends along a line. What a splat near it has beyond is laid on this side, as
-// a mirror would: else there would be a dark seam.
+// a mirror would: else there would be a dark seam. Only of splats up to so many pixels wide and high.
+const int widest_edged = 48;
+
 struct SplatEdge {
     real2 mirrored;  // from the splat's centre to that of its mirror image
     real2 normal;    // unit, towards the light; 0: no edge

@@ -48,6 +48,23 @@ struct Traced {
     FlightAccount account;
 };
 
+/// Whether a vertex beside the lattice repeats one of it: it has no light of its own, but is a neighbour.
+bool comes_round(const SplatFrame& frame, glm::ivec2 vertex) {
+    const VertexLattice& l = frame.lattice;
+    const auto around = [&](int axis) {
+        const bool inside = vertex[axis] >= 0 && vertex[axis] < l.domain[axis];
+        return inside || (frame.light.image.parallel == 1 && frame.period_m[axis] > 0);
+    };
+    return around(0) && around(1);
+}
+
+void add_dark(LightWays& ways, glm::ivec2 vertex, std::vector<CapturedVertex>& out) {
+    const std::size_t before = out.size();
+    FlightAccount not_counted;
+    ways.follow(vertex, out, not_counted);
+    for (std::size_t k = before; k < out.size(); ++k) out[k].flight.power_w = 0;
+}
+
 Traced trace(const SplatSettings& settings, const SplatFrame& frame, const WaterScene& scene) {
     const VertexLattice& l = frame.lattice;
     std::vector<std::vector<CapturedVertex>> rows(static_cast<std::size_t>(l.count.y));
@@ -60,8 +77,12 @@ Traced trace(const SplatSettings& settings, const SplatFrame& frame, const Water
         for (int j = 0; j < l.count.y; ++j) {
             const auto row = static_cast<std::size_t>(j);
             for (int i = 0; i < l.count.x; ++i) {
-                const bool rim = std::min({i, j, l.count.x - 1 - i, l.count.y - 1 - j}) < vertex_rim;
-                if (!rim) ways.follow(l.first + glm::ivec2{i, j}, rows[row], accounts[row]);
+                const glm::ivec2 vertex = l.first + glm::ivec2{i, j};
+                const int from_rim = std::min({i, j, l.count.x - 1 - i, l.count.y - 1 - j}) - vertex_rim;
+                if (from_rim >= 0)
+                    ways.follow(vertex, rows[row], accounts[row]);
+                else if (from_rim == -1 && comes_round(frame, vertex))
+                    add_dark(ways, vertex, rows[row]);
                 ends[row].push_back(static_cast<int>(rows[row].size()));
             }
         }

@@ -59,7 +59,8 @@ std::optional<LightWays::Way> LightWays::from_light() {
     if (hit.what == What::floor && !inside) return std::nullopt;
     own_ = hit.what == What::object || inside;
     count(account_->ledger.incident_w, power);
-    return Way{.traveller = {from}, .start_m = from.from_m, .power_w = power};
+    // Where it lands goes on evenly from vertex to vertex, over whatever side it comes in.
+    return Way{.traveller = {from}, .start_m = ray.from_m, .power_w = power};
 }
 
 /// What a ray of the light meets first, and the ray: parallel light also comes in over periodic sides.
@@ -107,8 +108,7 @@ void LightWays::land(const Way& way, const SceneHit& hit) {
 void LightWays::pass_side(const Way& way, const SceneHit& hit) {
     const Boundary sides = scene_.surface().boundary;
     const Side side = hit.side.x != 0 ? sides.x : sides.y;
-    const bool in_water_only = way.wraps < most_wraps;
-    if (side == Side::wall || !in_water_only) {
+    if (side == Side::wall || way.wraps == most_wraps) {
         const double path = way.travelled_m + hit.distance_m;
         const double left = way.power_w * f64::beer_lambert(scene_.extinction_per_m(way.traveller), path);
         count(account_->ledger.extinguished_w, way.power_w - left);

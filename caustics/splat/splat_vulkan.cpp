@@ -28,9 +28,8 @@ namespace {
 
 using gpu::BufferUse;
 
-constexpr std::array<std::uint32_t, 3> row_workgroup{64, 1, 1};
+constexpr std::array<std::uint32_t, 3> workgroup{64, 1, 1};
 constexpr std::int64_t most_vertices = std::int64_t{1} << 23;
-constexpr int list_columns = 1024;  // flights in a row
 
 /// A place on the map: whole pixels, and a part that floats keep exact.
 struct SplitPixel {
@@ -133,8 +132,9 @@ void add_periods(const SplatFrame& f, SplatParameters& p) {
         per_x = static_cast<float>(to_metres[0][n] / period);
         per_y = static_cast<float>(to_metres[1][n] / period);
         origin = static_cast<float>((f.plan.origin_m[n] - corner) / period);
-        low = static_cast<int>(std::floor((map_low[n] - corner) / period)) - 1;
-        high = static_cast<int>(std::ceil((map_high[n] - corner) / period));
+        constexpr double rounding = 1e-9;
+        low = static_cast<int>(std::floor((map_low[n] - corner) / period + rounding)) - 1;
+        high = static_cast<int>(std::ceil((map_high[n] - corner) / period - rounding));
     };
     axis(0, 1, p.per_x_x, p.per_x_y, p.origin_x, p.copy_low_x, p.copy_high_x);
     axis(1, 2, p.per_y_x, p.per_y_y, p.origin_y, p.copy_low_y, p.copy_high_y);
@@ -158,9 +158,9 @@ class SplatVulkan final : public SplatFloor {
     SplatVulkan(const SplatSettings& settings, std::shared_ptr<gpu::Context> context)
         : s_(settings),
           context_(std::move(context)),
-          water_(context_, {"splat: water", shaders::splat_water, 8, 0, row_workgroup}),
-          flights_pass_(context_, {"splat: flights", shaders::splat_flights, 5, 0, row_workgroup}),
-          shape_(context_, {"splat: shape", shaders::splat_shape, 5, 0, row_workgroup}),
+          water_(context_, {"splat: water", shaders::splat_water, 8, 0, workgroup}),
+          flights_pass_(context_, {"splat: flights", shaders::splat_flights, 5, 0, workgroup}),
+          shape_(context_, {"splat: shape", shaders::splat_shape, 5, 0, workgroup}),
           draw_(context_, {"splat: draw", shaders::splat_box, shaders::splat_light, 1, sizeof(SplatShift)}),
           commands_(context_) {
         validate(s_);
@@ -185,8 +185,6 @@ class SplatVulkan final : public SplatFloor {
             p.list = 1;
             check(static_cast<std::int64_t>(light.all.size()));
             p.count = static_cast<int>(light.all.size());
-            p.columns = list_columns;
-            p.rows = (p.count + list_columns - 1) / list_columns;
             write_flights(frame, light);
             account = light.account;
         }
@@ -205,6 +203,10 @@ class SplatVulkan final : public SplatFloor {
                 fmt::format("splats: {} vertices; allowed on the vulkan back-end: at most 2^23. Give a smaller "
                             "grid, or the cpu back-end",
                             vertices));
+    }
+
+    static std::size_t chunks(const SplatParameters& p) {
+        return static_cast<std::size_t>(std::max(1, (p.count + splat_chunk - 1) / splat_chunk));
     }
 
     void write_water(const SplatFrame& frame, const Surface& surface) {
@@ -268,7 +270,7 @@ class SplatVulkan final : public SplatFloor {
 
     void run(const SplatParameters& p, const Receivers& receivers) {
         const auto count = static_cast<std::size_t>(std::max(1, p.count));
-        const std::size_t parts = std::size_t{row_workgroup[0]} * static_cast<std::size_t>(std::max(1, p.rows));
+        const std::size_t parts = std::size_t{workgroup[0]} * chunks(p);
         reserve(context_, parameters_, sizeof(SplatParameters), BufferUse::from_host);
         parameters_->host<SplatParameters>()[0] = p;
         commands_.upload(*parameters_);
@@ -277,17 +279,17 @@ class SplatVulkan final : public SplatFloor {
         reserve(context_, records_, sizeof(SplatRecord) * count, BufferUse::device);
         reserve(context_, landed_, sizeof(SplatAccount) * parts, BufferUse::to_host);
         reserve(context_, laid_, sizeof(SplatAccount) * parts, BufferUse::to_host);
-        const gpu::Extent rows{row_workgroup[0], static_cast<std::uint32_t>(p.rows), 1};
+        const gpu::Extent all{workgroup[0], static_cast<std::uint32_t>(chunks(p)), 1};
         if (p.list != 0) {
             flights_pass_.bind({&*parameters_, &*flights_, &*heights_, &*landings_, &*landed_});
-            commands_.dispatch(flights_pass_, rows);
+            commands_.dispatch(flights_pass_, all);
         } else {
             water_.bind(
                 {&*parameters_, &*places_, &*elevation_, &*slope_x_, &*slope_y_, &*heights_, &*landings_, &*landed_});
-            commands_.dispatch(water_, rows);
+            commands_.dispatch(water_, all);
         }
         shape_.bind({&*parameters_, &*flights_, &*landings_, &*records_, &*laid_});
-        commands_.dispatch(shape_, rows);
+        commands_.dispatch(shape_, all);
         draw(p);
         commands_.download(*landed_);
         commands_.download(*laid_);
@@ -313,7 +315,7 @@ class SplatVulkan final : public SplatFloor {
     }
 
     void read(const SplatParameters& p, FlightAccount& account) const {
-        const std::size_t parts = std::size_t{row_workgroup[0]} * static_cast<std::size_t>(p.rows);
+        const std::size_t parts = std::size_t{workgroup[0]} * chunks(p);
         for (const Storage* storage : {&landed_, &laid_})
             for (const SplatAccount& part : (*storage)->host<SplatAccount>().first(parts)) add(part, account);
     }

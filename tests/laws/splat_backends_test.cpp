@@ -47,6 +47,7 @@ struct Scene {
         settings.bed_m = std::make_shared<Field<float>>(std::move(heights));
     }
     void object(Material material) {
+        settings.options.grid = 60;
         settings.floor.objects = std::make_shared<ObjectSet>(std::vector<Object>{
             {.name = "ball", .shape = Sphere{0.3}, .material = material, .centre_m = {0.9, 0.7, -0.4}}});
     }

@@ -1,4 +1,4 @@
-// Lands light that the host has followed through objects. One workgroup a row of the list.
+// Lands light that the host has followed through objects.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -20,15 +20,15 @@ layout(std430, binding = 4) writeonly buffer Accounts { SplatAccount accounts[];
 #include "caustics/splat/shaders/splat_landing.glsl"
 
 void main() {
-    int j = int(gl_WorkGroupID.y);
+    int chunk = int(gl_WorkGroupID.y);
     int me = int(gl_LocalInvocationID.x);
     int workers = int(gl_WorkGroupSize.x);
-    int end = min(p.count, (j + 1) * p.columns);
+    int end = min(p.count, (chunk + 1) * splat_chunk);
     SplatAccount account = SplatAccount(0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
-    for (int k = j * p.columns + me; k < end; k += workers) {
+    for (int k = chunk * splat_chunk + me; k < end; k += workers) {
         SplatFlight f = flights[k];
         landings[k] = land_from(vec3(f.x, f.y, f.z), vec3(f.way_x, f.way_y, f.way_z), f.power, f.extinction, f.own != 0,
                                 ivec2(f.pixel_x, f.pixel_y), vec2(f.part_x, f.part_y), account);
     }
-    accounts[j * workers + me] = account;
+    accounts[chunk * workers + me] = account;
 }

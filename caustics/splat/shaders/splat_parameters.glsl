@@ -1,6 +1,9 @@
 // What the host tells the passes of caustics mapping. C++ and GLSL include the same text: scalars of four bytes only, so
 // that both lay it out alike. Lengths in metres where they do not say pixels.
 
+// One workgroup a chunk of so many vertices. Small: devices that play a GPU end loops after 65535 steps an invocation.
+const int splat_chunk = 1024;
+
 struct SplatParameters {
     // The light: SplatLight.
     float source_x, source_y, source_z, parallel, level;
@@ -12,7 +15,7 @@ struct SplatParameters {
     int sides;  // side_x + 4 side_y
     float climb_x, climb_y;
     float half_width_x, half_width_y;
-    // The vertices: a lattice, or a list in rows of so many columns.
+    // The vertices: a lattice, or a list.
     int list;  // 1: flights
     int count;
     int columns, rows;

@@ -1,4 +1,4 @@
-// The splat of each vertex by its neighbours' landing, and what of it does not lie on the map. One workgroup a row.
+// The splat of each vertex by its neighbours' landing, and what of it does not lie on the map.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -13,7 +13,7 @@ layout(local_size_x_id = 0, local_size_y_id = 1, local_size_z_id = 2) in;
 layout(std430, binding = 0) readonly buffer Parameters { SplatParameters p; };
 layout(std430, binding = 1) readonly buffer Flights { SplatFlight flights[]; };
 layout(std430, binding = 2) readonly buffer Landings { SplatLanding landings[]; };
-layout(std430, binding = 3) writeonly buffer Records { SplatRecord records[]; };
+layout(std430, binding = 3) buffer Records { SplatRecord records[]; };
 layout(std430, binding = 4) writeonly buffer Accounts { SplatAccount accounts[]; };
 
 #include "caustics/splat/shaders/splat_share.glsl"
@@ -75,8 +75,6 @@ SplatEdge edge_of(int k, float away, int step, int across, vec2 a, vec2 b, vec2 
     return splat_edge(away > 0 ? a : -a, b, to_edge, mirrored);
 }
 
-const int most_edged = 512;  // pixels: wider splats have no edge
-
 SplatRecord with_edges(SplatRecord r, int k, Difference x, Difference y, vec2 shift) {
     ivec2 vertex = p.list != 0 ? ivec2(flights[k].vertex_x, flights[k].vertex_y)
                                : ivec2(p.first_x + k % p.columns, p.first_y + k / p.columns);
@@ -87,7 +85,7 @@ SplatRecord with_edges(SplatRecord r, int k, Difference x, Difference y, vec2 sh
     SplatEdge south = edge_of(k, away_y, p.columns, 1, y.first, x.first, shift);
     ivec2 low = ivec2(floor(vec2(r.part_x - r.reach_x, r.part_y - r.reach_y)));
     ivec2 high = ivec2(floor(vec2(r.part_x + r.reach_x, r.part_y + r.reach_y)));
-    if ((!is_edge(west) && !is_edge(south)) || high.x - low.x >= most_edged || high.y - low.y >= most_edged) return r;
+    if ((!is_edge(west) && !is_edge(south)) || high.x - low.x >= widest_edged || high.y - low.y >= widest_edged) return r;
     SplatRecord e = r;
     e.west_x = west.mirrored.x;
     e.west_y = west.mirrored.y;
@@ -139,25 +137,53 @@ SplatRecord splat_of(int k) {
     r.across = s.across;
     r.lean = s.lean;
     r.transposed = s.transposed;
-    float leaning = s.lean * s.along;
-    vec2 deviation = vec2(s.along, sqrt(leaning * leaning + s.across * s.across));
+    vec2 deviation = vec2(s.along, s.across + abs(s.lean) * s.along);
     vec2 reach = splat_reach * (s.transposed > 0.5 ? deviation.yx : deviation);
     r.reach_x = reach.x;
     r.reach_y = reach.y;
     return p.fixed_size == 0 ? with_edges(r, k, x, y, s.shift) : r;
 }
 
+// The part of a splat's light that lies between two corners, from its centre: line by line, or strip by strip where it
+// is wide.
+float part_between(SplatShape s, vec2 low, vec2 high) {
+    bool upright = s.transposed > 0.5;
+    float from = max(upright ? low.y : low.x, -splat_reach * s.along);
+    float to = min(upright ? high.y : high.x, splat_reach * s.along);
+    float bottom = upright ? low.x : low.y;
+    float top = upright ? high.x : high.y;
+    // Lines begin at whole pixels from `low`.
+    float first = upright ? low.y : low.x;
+    from = first + floor(from - first);
+    int lines = max(0, int(ceil(to - from)));
+    int strips = min(lines, 512);
+    float width = strips == lines ? 1 : (to - from) / strips;
+    float sum = 0;
+    for (int k = 0; k < strips; ++k) {
+        float l = clamp((from + k * width) / s.along, -splat_reach, splat_reach);
+        float h = clamp((from + (k + 1) * width) / s.along, -splat_reach, splat_reach);
+        SplatLine line = splat_line(s, l, normal_at(l), h, normal_at(h));
+        sum += line.share * (splat_below((top - line.middle) / line.deviation) -
+                             splat_below((bottom - line.middle) / line.deviation));
+    }
+    return sum;
+}
+
 // The part of one copy's light that lies on the map.
 float part_on_map(SplatRecord r, float power, vec2 shift) {
-    vec2 at = vec2(r.pixel_x, r.pixel_y) + vec2(r.part_x, r.part_y) + shift;
+    vec2 centre = vec2(r.part_x, r.part_y) + shift;
+    vec2 at = vec2(r.pixel_x, r.pixel_y) + centre;
     vec2 reach = vec2(r.reach_x, r.reach_y);
     vec2 size = vec2(p.map_width, p.map_height);
     if (any(lessThan(at + reach, vec2(0))) || any(greaterThan(at - reach, size))) return 0;
     if (all(greaterThanEqual(at - reach, vec2(0))) && all(lessThan(at + reach, size))) return 1;
+    if (!is_edge(west_of(r)) && !is_edge(south_of(r))) {
+        vec2 corner = vec2(-r.pixel_x, -r.pixel_y) - centre;
+        return part_between(shape_of(r), corner, corner + size);
+    }
     ivec2 low = ivec2(max(floor(at - reach), vec2(0)));
     ivec2 high = ivec2(min(floor(at + reach), size - 1));
     float sum = 0;
-    vec2 centre = vec2(r.part_x, r.part_y) + shift;
     for (int j = low.y; j <= high.y; ++j)
         for (int i = low.x; i <= high.x; ++i) sum += splat_share(r, vec2(i - r.pixel_x, j - r.pixel_y) - centre);
     return sum * r.power / power;
@@ -178,20 +204,18 @@ void account_for(SplatRecord r, SplatLanding l, inout SplatAccount account) {
 }
 
 void main() {
-    int j = int(gl_WorkGroupID.y);
+    int chunk = int(gl_WorkGroupID.y);
     int me = int(gl_LocalInvocationID.x);
     int workers = int(gl_WorkGroupSize.x);
-    int end = min(p.count, (j + 1) * p.columns);
+    int end = min(p.count, (chunk + 1) * splat_chunk);
     SplatAccount account = SplatAccount(0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
-    for (int k = j * p.columns + me; k < end; k += workers) {
-        SplatRecord r;
+    for (int k = chunk * splat_chunk + me; k < end; k += workers) {
         // Vertices without light, at the lattice's rim among them, have no neighbours to go by.
         if (landings[k].power > 0)
-            r = splat_of(k);
+            records[k] = splat_of(k);
         else
-            r = SplatRecord(0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
-        records[k] = r;
-        account_for(r, landings[k], account);
+            records[k] = SplatRecord(0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
     }
-    accounts[j * workers + me] = account;
+    for (int k = chunk * splat_chunk + me; k < end; k += workers) account_for(records[k], landings[k], account);
+    accounts[chunk * workers + me] = account;
 }

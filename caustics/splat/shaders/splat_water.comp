@@ -1,5 +1,5 @@
-// Vertices on the water's surface: light enters there and lands. One workgroup a row of the lattice; each of its
-// invocations also sums the account of the vertices it lands.
+// Vertices on the water's surface: light enters there and lands. Each invocation also sums the account of the vertices
+// it lands.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -61,10 +61,12 @@ SplatLanding land(int i, int j, inout SplatAccount account) {
 }
 
 void main() {
-    int j = int(gl_WorkGroupID.y);
+    int chunk = int(gl_WorkGroupID.y);
     int me = int(gl_LocalInvocationID.x);
     int workers = int(gl_WorkGroupSize.x);
+    int end = min(p.count, (chunk + 1) * splat_chunk);
     SplatAccount account = SplatAccount(0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
-    for (int i = me; i < p.columns; i += workers) landings[j * p.columns + i] = land(i, j, account);
-    accounts[j * workers + me] = account;
+    for (int k = chunk * splat_chunk + me; k < end; k += workers)
+        landings[k] = land(k % p.columns, k / p.columns, account);
+    accounts[chunk * workers + me] = account;
 }
