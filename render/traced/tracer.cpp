@@ -24,6 +24,7 @@ Tracer::Tracer(const TracedScene& scene, const WaterScene& water, const SceneDat
       water_(water),
       options_(options),
       text_(data.text()),
+      things_(data.things_text()),
       levels_(data.surface()),
       objects_(scene.objects && !scene.objects->empty()) {}
 
@@ -39,7 +40,8 @@ glm::dvec3 Tracer::seen_at(glm::dvec2 pixel, double part, unsigned seed) {
     sight.traveller.in_water = text_.in_water && !beyond_walls(sight.traveller.ray.at(1e-6));
     const auto first = objects_ ? water_.objects().first_hit(sight.traveller.ray) : std::nullopt;
     if (first && !first->enters(sight.traveller.ray)) sight.traveller.inside = first->object;
-    return radiance(sight);
+    if (text_.beams == nullptr) return radiance(sight);
+    return radiance(sight) + glm::dvec3(text_.beam_light(glm::vec2(pixel) + 0.5F) * text_.beam_tint(a));
 }
 
 glm::dvec3 Tracer::radiance(const Sight& sight) {
@@ -92,8 +94,9 @@ glm::dvec3 Tracer::in_water(const Sight& sight) {
         seen = at_bottom(sight, way);
     }
     const glm::vec3 from(ray.from_m), d(ray.direction);
-    return seen * glm::exp(-glm::dvec3(text_.sight_extinction()) * way) +
-           glm::dvec3(text_.scattered(from, d, static_cast<float>(way)));
+    seen *= glm::exp(-glm::dvec3(text_.sight_extinction()) * way);
+    const bool in_beams = sight.met == 0 && text_.beams != nullptr;
+    return in_beams ? seen : seen + glm::dvec3(text_.scattered(from, d, static_cast<float>(way)));
 }
 
 /// Floor, ground or wall below the water; sets how far it is.

@@ -252,6 +252,20 @@ TEST(PhotonObjects, ADiffuseBallsShadow) {
         }
 }
 
+TEST(PhotonObjects, WhatStandsPartlyBeyondASideStopsAllThatFallsOnIt) {
+    Stage stage(4, 40, 1, {.name = "ball", .shape = Sphere{0.3}, .centre_m = {-2, 0, 0.7}});
+    stage.settings.options.map = 512;
+    for (const Side side : {Side::wall, Side::absorbing}) {
+        stage.surface.boundary = {side, side};
+        const FloorLedger ledger = stage.map().ledger;
+        const double area = pi * 0.09;
+        EXPECT_NEAR(ledger.objects_w, area, 0.01 * area);
+        EXPECT_NEAR(ledger.incident_w, 16 + area / 2, 0.01 * area)
+            << "the half beyond the side comes in by the ball alone";
+        EXPECT_LT(ledger.closure(), 1e-12);
+    }
+}
+
 TEST(PhotonObjects, InWaterTheShadowIsThatOfTheRefractedLight) {
     const double radius = 0.3, sine = std::cos(50 * pi / 180) / (4.0 / 3);
     for (const Start start : {Start::light, Start::surface}) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include "caustics/floor.hpp"
 #include "caustics/kernels/optics.hpp"
 #include "sim/error.hpp"
 #include "tests/support/traced_scenes.hpp"
@@ -122,6 +123,44 @@ TEST(TracedObjects, DiffuseInTheWaterHasTheSunOfItsDepth) {
         scene.objects = set_of({scene.objects->objects()[0], object_of(Sphere{0.2}, diffuse_of(0), enters + towards)});
         EXPECT_EQ(seen(), 0) << elevation;
     }
+}
+
+/// Waves focus light on a level thing as they do on a floor at its depth.
+TEST(TracedObjects, WavesFocusLightOnThings) {
+    Surface surface(make_grid(256, 192, 8, 6), {Side::periodic, Side::periodic});
+    const double k = 2 * pi / 0.8;
+    for (int j = 0; j < 192; ++j)
+        for (int i = 0; i < 256; ++i) {
+            const double x = surface.grid.x_m(i);
+            surface.elevation(i, j) = static_cast<float>(0.012 * std::cos(k * x));
+            surface.slope_x(i, j) = static_cast<float>(-0.012 * k * std::sin(k * x));
+        }
+    TracedScene scene;
+    scene.scene.surface = &surface;
+    scene.scene.depth_m = 1.5;
+    scene.scene.sun = {90, 0, 1000};
+    Look look = plain_look(0);
+    look.sky.irradiance_w_m2 = 0.0;
+    scene.objects = set_of({object_of(Box{{2, 2, 0.4}}, diffuse_of(0.6), {4, 3, -1.2})});
+    FloorSettings floor;
+    floor.plan = cover(surface.grid, 256, 192);
+    floor.depth_m = 1;
+    floor.sun = scene.scene.sun;
+    FloorMap map;
+    make_floor_cpu(floor)->compute(surface, map);
+    double least = 1e9, most = 0, squares = 0, sum = 0;
+    for (int i = 110; i < 146; ++i) {
+        const glm::dvec2 at = floor.plan.position_m({i + 0.5, 96.5});
+        const Camera camera = camera_at({at, -0.5}, {at, -1}, {1, 1});
+        const double expected = 0.6 / pi * map.irradiance(i, 96);
+        const double off = trace_picture(scene, look, camera, {.samples = 1}).radiance.rgb[0] - expected;
+        least = std::min(least, expected);
+        most = std::max(most, expected);
+        squares += off * off;
+        sum += expected * expected;
+    }
+    EXPECT_GT(most, 1.3 * least);
+    EXPECT_LT(std::sqrt(squares / sum), 0.01);
 }
 
 TEST(TracedObjects, SameBytesWhateverTheThreads) {
