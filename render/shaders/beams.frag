@@ -1,5 +1,4 @@
-// Light of beams, added: a picture of another size, bilinear. Its one colour is that of the fields' extinction; what the
-// water's further absorption takes from each is that of flat water's scattered light on the same way.
+// Light of beams, added.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -10,27 +9,9 @@
 layout(std430, binding = 7) readonly buffer Beams { float beams[]; };
 layout(location = 0) out vec4 drawn;
 
-float beam_light(vec2 fragment) {
-    ivec2 size = ivec2(p.columns, p.rows), most = size - 1;
-    vec2 at = clamp(fragment * vec2(size) / vec2(p.u1, p.v1) - 0.5, vec2(0), vec2(most));
-    ivec2 low = min(ivec2(at), max(most - 1, ivec2(0))), high = min(low + 1, most);
-    vec2 w = at - low;
-    return bilinear(beams[low.y * size.x + low.x], beams[low.y * size.x + high.x], beams[high.y * size.x + low.x],
-                    beams[high.y * size.x + high.x], w.x, w.y);
-}
-
-float flat_light(float colour, float way, float depth, float fall) {
-    float light = s.extinction + colour;
-    return exp(-light * s.path * depth) * scattered_once(light, light * s.path * fall, way);
-}
+#include "render/shaders/beam_light.glsl"
 
 void main() {
     Sight a = sight(gl_FragCoord.xy);
-    float entry = entry_way(a.d), way = meet(eye() + entry * a.d, a.d).way;
-    if (a.d.z > 1e-5) way = min(way, max(0, -(p.eye_z + entry * a.d.z)) / a.d.z);
-    float depth = max(0, -(p.eye_z + entry * a.d.z)), fall = -a.d.z;
-    float grey = max(1e-20, flat_light(0, way, depth, fall));
-    vec3 tint = vec3(flat_light(s.colour_r, way, depth, fall), flat_light(s.colour_g, way, depth, fall),
-                     flat_light(s.colour_b, way, depth, fall)) / grey;
-    drawn = vec4(exposed(beam_light(gl_FragCoord.xy) * clamp(tint, vec3(0), vec3(1))).rgb, 0);
+    drawn = vec4(exposed(beam_light(gl_FragCoord.xy) * beam_tint(a)).rgb, 0);
 }

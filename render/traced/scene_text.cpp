@@ -6,8 +6,14 @@
 
 namespace waterlight {
 
+namespace {
+
+#include "render/shaders/variant_words.glsl"
+
+}  // namespace
+
 SceneData::SceneData(const Scene& scene, const Look& look, const Camera& camera)
-    : variant_(variant_of(scene, look, camera.position_m)), view_(view_parameters(camera)) {
+    : variant_(variant_of(scene, look, camera.position_m)), size_(camera.size), view_(view_parameters(camera)) {
     fill_levels(*scene.surface, scene.ground_m, surface_);
     fill_maps(scene, look.overlay, maps_);
     const PhaseTable phase(scene.optics.phase);
@@ -18,6 +24,9 @@ SceneData::SceneData(const Scene& scene, const Look& look, const Camera& camera)
         medium_.insert(medium_.end(), values.begin(), values.end());
     }
     if (scene.ground_m != nullptr) ground_ = padded_ground(*scene.surface, *scene.ground_m);
+    // A picture of beams has the light scattered on the way of sight; on further ways it is that of calm water.
+    if (variant_.in_water) beams_ = scene.beams;
+    if (beams_ != nullptr && scene.optics.scattering_per_m > 0) variant_.scatter = SCATTER_FLAT;
     const double depth = variant_.in_water ? std::max(0.0, -camera.position_m.z) : 0;
     scene_ = scene_parameters(scene, look, surface_, maps_, volume, depth);
 }
@@ -45,6 +54,25 @@ f32::SceneText SceneData::text() const {
     t.light = maps_.values.data();
     t.medium = medium_.data();
     t.ground = ground_.data();
+    if (beams_ != nullptr) {
+        t.beams = beams_->radiance.data();
+        t.p.columns = beams_->radiance.nx();
+        t.p.rows = beams_->radiance.ny();
+        t.p.u1 = static_cast<float>(size_.x);
+        t.p.v1 = static_cast<float>(size_.y);
+    }
+    return t;
+}
+
+std::optional<f32::SceneText> SceneData::things_text() const {
+    if (things_ == nullptr) return std::nullopt;
+    f32::SceneText t = text();
+    t.medium = things_->scalar_irradiance.data();
+    t.s.volume_nx = things_->cells.x;
+    t.s.volume_ny = things_->cells.y;
+    t.s.volume_nz = things_->cells.z;
+    t.s.volume_offset = 0;
+    t.s.volume_depth = static_cast<float>(things_->depth_m);
     return t;
 }
 

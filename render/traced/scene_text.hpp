@@ -2,6 +2,8 @@
 // members here, so that both pictures have one text of sky, floor, walls and scattered light.
 #pragma once
 
+#include <optional>
+
 #include "caustics/kernels/interface.hpp"
 #include "caustics/kernels/phase_table.hpp"
 #include "caustics/kernels/surface_lookup.hpp"
@@ -32,6 +34,7 @@ class SceneText {
     const float* medium = nullptr;
     const float* ground = nullptr;
     const vec4* palette = nullptr;
+    const float* beams = nullptr;  ///< the picture of beams, or null
 
     struct PerPixel {
         vec3 right{0, 0, 0}, up{0, 0, 0};
@@ -39,14 +42,18 @@ class SceneText {
         PerPixel(vec3 a, vec3 b) : right(a), up(b) {}
     };
 
-#include "render/shaders/dry.glsl"
-#include "render/shaders/ground_cells.glsl"
-#include "render/shaders/light.glsl"
+    // What is needed comes first:
+    // clang-format off
 #include "render/shaders/sight.glsl"
+#include "render/shaders/ground_cells.glsl"
 #include "render/shaders/sky.glsl"
-#include "render/shaders/sun_in_water.glsl"
-#include "render/shaders/surface_cells.glsl"
+#include "render/shaders/light.glsl"
 #include "render/shaders/water.glsl"
+#include "render/shaders/surface_cells.glsl"
+#include "render/shaders/dry.glsl"
+#include "render/shaders/sun_in_water.glsl"
+#include "render/shaders/beam_light.glsl"
+    // clang-format on
 };
 
 #undef SCATTER_NONE
@@ -68,16 +75,23 @@ namespace waterlight {
 class SceneData {
   public:
     SceneData(const Scene& scene, const Look& look, const Camera& camera);
+    /// Takes light in the water from this volume, which must outlive it, where things in it are lit.
+    void light_things_by(const BeamVolume& volume) { things_ = &volume; }
     /// Valid as long as this.
     f32::SceneText text() const;
+    /// The same with the volume of light_things_by(); none where there is none.
+    std::optional<f32::SceneText> things_text() const;
     const SurfaceLevels& surface() const { return surface_; }
 
   private:
     Variant variant_;
+    glm::ivec2 size_;
     SurfaceLevels surface_;
     LightMaps maps_;
     std::vector<float> medium_, ground_;
     SceneParameters scene_{};
+    const BeamVolume* things_ = nullptr;
+    const BeamImage* beams_ = nullptr;
     PassParameters view_{};
 };
 

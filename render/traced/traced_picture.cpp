@@ -7,6 +7,7 @@
 #include <mutex>
 #include <numbers>
 
+#include "caustics/beam_volume.hpp"
 #include "render/kernels/tone.hpp"
 #include "render/scene_light.hpp"
 #include "render/traced/tracer.hpp"
@@ -61,6 +62,27 @@ WaterSceneSettings water_settings(const TracedScene& scene, Field<float>* ground
     return s;
 }
 
+/// Light in the water under waves, where diffuse things may be in it.
+std::optional<BeamVolume> light_on_things(const TracedScene& scene) {
+    const auto is_diffuse = [](const Object& o) { return o.material.type == Material::Type::diffuse; };
+    const Surface& surface = *scene.scene.surface;
+    if (!scene.objects || std::ranges::none_of(scene.objects->objects(), is_diffuse)) return std::nullopt;
+    if (!(sunlight(scene.scene.sun) > 0) || scene.scene.optics.refractive_index == 1) return std::nullopt;
+    if (std::ranges::all_of(surface.elevation.values(), [](float e) { return e == 0; })) return std::nullopt;
+    constexpr int most = 256, slices = 48;
+    const double lowest = scene.scene.ground_m != nullptr ? std::ranges::min(scene.scene.ground_m->values()) : 0;
+    BeamSettings settings;
+    settings.grid = glm::min(glm::ivec2(surface.grid.nx, surface.grid.ny), glm::ivec2(most));
+    settings.depth_m = scene.scene.ground_m != nullptr ? std::max(-lowest, 1e-3) : scene.scene.depth_m;
+    settings.sun = scene.scene.sun;
+    settings.optics = scene.scene.optics;
+    Beams beams;
+    make_beams(settings, surface, beams);
+    BeamVolume volume;
+    fill_volume(beams, {settings.grid, slices}, volume);
+    return volume;
+}
+
 }  // namespace
 
 TracedPicture trace_picture(const TracedScene& scene, const Look& look, const Camera& camera,
@@ -72,7 +94,9 @@ TracedPicture trace_picture(const TracedScene& scene, const Look& look, const Ca
     if (scene.scene.ground_m != nullptr) ground = scene.scene.ground_m->clone();
     const WaterScene water(water_settings(scene, scene.scene.ground_m != nullptr ? &ground : nullptr),
                            *scene.scene.surface);
-    const SceneData data(scene.scene, own, camera);
+    SceneData data(scene.scene, own, camera);
+    const std::optional<BeamVolume> light = light_on_things(scene);
+    if (light) data.light_things_by(*light);
     TracedPicture picture;
     picture.radiance.size = camera.size;
     picture.radiance.rgb.resize(3 * static_cast<std::size_t>(camera.size.x) * static_cast<std::size_t>(camera.size.y));

@@ -16,7 +16,7 @@
 namespace waterlight {
 
 /// A scene and what is in it. `scene` is that of the Vulkan picture; its floor map is where the caustics and shadows on
-/// the floor come from, of objects and lamp as well. Its beams are not drawn.
+/// the floor come from, of objects and lamp as well.
 struct TracedScene {
     Scene scene;
     std::shared_ptr<const ObjectSet> objects{};  ///< at the surface's time; none: nothing
@@ -41,10 +41,10 @@ struct TracedPicture {
 /// sky, floor, walls and ground, whose light is that of the Vulkan picture, from the same texts. The same bytes
 /// whatever the number of threads. Look::samples is not used.
 ///
-/// Diffuse objects have the light of sun, lamp and sky. In the water the sun comes as through still water; a lamp comes
-/// straight, not refracted. Shadows are of objects alone, and glass in the way lets through what goes straight. Sides
-/// that are periodic repeat the objects. A way that ends for want of bounces sees the sky's mean.
-/// Throws InputError where a setting is out of its range, or the look has an overlay.
+/// Diffuse objects have the light of sun, lamp and sky. In the water the sun comes along its way through still water,
+/// as strong as the waves focus it there; a lamp comes straight, not refracted. Shadows are of objects alone, and glass
+/// in the way lets through what goes straight. Sides that are periodic repeat the objects. A way that ends for want of
+/// bounces sees the sky's mean. Throws InputError where a setting is out of its range, or the look has an overlay.
 TracedPicture trace_picture(const TracedScene& scene, const Look& look, const Camera& camera,
                             const TraceOptions& options);
 

@@ -24,6 +24,7 @@ Tracer::Tracer(const TracedScene& scene, const WaterScene& water, const SceneDat
       water_(water),
       options_(options),
       text_(data.text()),
+      things_(data.things_text()),
       levels_(data.surface()),
       objects_(scene.objects && !scene.objects->empty()) {}
 
@@ -39,7 +40,8 @@ glm::dvec3 Tracer::seen_at(glm::dvec2 pixel, double part, unsigned seed) {
     sight.traveller.in_water = text_.in_water && !beyond_walls(sight.traveller.ray.at(1e-6));
     const auto first = objects_ ? water_.objects().first_hit(sight.traveller.ray) : std::nullopt;
     if (first && !first->enters(sight.traveller.ray)) sight.traveller.inside = first->object;
-    return radiance(sight);
+    if (text_.beams == nullptr) return radiance(sight);
+    return radiance(sight) + glm::dvec3(text_.beam_light(glm::vec2(pixel) + 0.5F) * text_.beam_tint(a));
 }
 
 glm::dvec3 Tracer::radiance(const Sight& sight) {
@@ -92,8 +94,9 @@ glm::dvec3 Tracer::in_water(const Sight& sight) {
         seen = at_bottom(sight, way);
     }
     const glm::vec3 from(ray.from_m), d(ray.direction);
-    return seen * glm::exp(-glm::dvec3(text_.sight_extinction()) * way) +
-           glm::dvec3(text_.scattered(from, d, static_cast<float>(way)));
+    seen *= glm::exp(-glm::dvec3(text_.sight_extinction()) * way);
+    const bool in_beams = sight.met == 0 && text_.beams != nullptr;
+    return in_beams ? seen : seen + glm::dvec3(text_.scattered(from, d, static_cast<float>(way)));
 }
 
 /// Floor, ground or wall below the water; sets how far it is.
@@ -194,10 +197,11 @@ glm::dvec3 Tracer::sky(const Sight& sight) {
     glm::dvec3 seen = text_.sky_at(from);
     const glm::dvec3 to_sun = -scene_.scene.sun.direction();
     if (d.z <= 0 || glm::dot(d, to_sun) <= 0) return seen;
-    const double half = 0.5 * sight.spread, radius = std::hypot(text_.s.sun_radius, half);
+    const double half = sight.spread, radius = std::max<double>(text_.s.sun_radius, half);
     const double off = glm::length(glm::cross(d, to_sun));
     const double part = std::clamp(0.5 + (radius - off) / std::max(2 * half, 1e-9), 0.0, 1.0);
-    if (part > 0) seen += part * text_.s.sun_irradiance / (pi * radius * radius);
+    // Its edge, from radius - half to radius + half, is a slope: so much larger is the disc.
+    if (part > 0) seen += part * text_.s.sun_irradiance / (pi * (radius * radius + half * half / 3));
     return seen;
 }
 

@@ -1,6 +1,8 @@
 // Follows ways of sight. One for each thread.
 #pragma once
 
+#include <optional>
+
 #include "caustics/objects/water_scene.hpp"
 #include "render/traced/scene_text.hpp"
 #include "render/traced/traced_picture.hpp"
@@ -73,6 +75,7 @@ class Tracer {
     const WaterScene& water_;
     const TraceOptions& options_;
     f32::SceneText text_;
+    std::optional<f32::SceneText> things_;  ///< with the light in the water that things get; none: of calm water
     const SurfaceLevels& levels_;
     bool objects_;
 };

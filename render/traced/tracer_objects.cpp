@@ -20,20 +20,23 @@ double fraction(unsigned seed, unsigned k) {
     return (x ^ (x >> 15)) * (1.0 / 4294967296.0);
 }
 
+/// Per metre, of the side that faces away from the axis by `along`, the axis' part of the normal; flat ends have none.
 struct CurvatureOf {
+    double along;
+    bool flat() const { return std::abs(along) > 0.9; }
     double operator()(const Sphere& s) const { return 1 / s.radius_m; }
     double operator()(const Box&) const { return 0; }
-    double operator()(const Ring& r) const { return 1 / r.outer_radius_m; }
-    double operator()(const Cup& c) const { return 2 / (c.bottom_radius_m + c.top_radius_m); }
+    double operator()(const Ring& r) const { return flat() ? 0 : 1 / r.outer_radius_m; }
+    double operator()(const Cup& c) const { return flat() ? 0 : 2 / (c.bottom_radius_m + c.top_radius_m); }
     double operator()(const Mesh&) const { return 0; }
 };
 
 }  // namespace
 
-/// Of the cone's reflection: how much the normal turns per metre. That of flat ends is left out.
+/// How much the normal turns per metre: it widens the cone.
 double Tracer::curvature(const SceneHit& hit) const {
-    const Shape& shape = water_.objects().object(hit.object).shape;
-    return std::visit(CurvatureOf{}, shape);
+    const Object& object = water_.objects().object(hit.object);
+    return std::visit(CurvatureOf{glm::dot(object.turn()[2], hit.normal)}, object.shape);
 }
 
 glm::dvec3 Tracer::at_object(const Sight& sight, const SceneHit& hit) {
@@ -94,7 +97,8 @@ glm::dvec3 Tracer::direct(glm::dvec3 place, glm::dvec3 normal, bool in_water) {
     return facing > 0 ? sum + glm::dvec3(text_.s.sun_irradiance * facing * sun_left(place)) : sum;
 }
 
-/// Across its beam the sun's light is as much more than on the horizontal plane as its way is longer than its descent.
+/// Across its beam calm water's light is as much more than on the horizontal plane as its way is longer than its
+/// descent. Under waves that light is read from the volume; its direction is taken for that of calm water.
 glm::dvec3 Tracer::sun_in_water(glm::dvec3 place, glm::dvec3 normal) {
     const double path = text_.s.path, depth = std::max(0.0, -place.z);
     const glm::dvec3 to_light = glm::dvec3(-text_.s.travel_x, -text_.s.travel_y, 1) / path;
@@ -103,7 +107,12 @@ glm::dvec3 Tracer::sun_in_water(glm::dvec3 place, glm::dvec3 normal) {
     const double below = left_by_objects(place, to_light, depth * path, true);
     if (below <= 0) return {0, 0, 0};
     const double left = below * sun_left(place + depth * path * to_light);
-    return glm::dvec3(text_.calm_sun(glm::vec2(place), static_cast<float>(depth))) * (path * facing * left);
+    const glm::vec3 at(place);
+    if (things_) {
+        const glm::dvec3 colour(glm::exp(-text_.colours() * static_cast<float>(path * depth)));
+        return colour * (things_->volume_at(at) * facing * left);
+    }
+    return glm::dvec3(text_.calm_sun(glm::vec2(at), static_cast<float>(depth))) * (path * facing * left);
 }
 
 glm::dvec3 Tracer::from_lamp(glm::dvec3 place, glm::dvec3 normal, bool in_water) {
