@@ -179,7 +179,7 @@ TEST_F(MeshFile, WhatIsNoMeshIsRefusedByName) {
     expect("b.ply", with(ply(), "vertex 8", "vertex 4000000000"), "claims more elements than its bytes can hold");
     expect("c.ply", ply().substr(0, ply().size() - 20), "is cut short");
     expect("d.ply", binary_ply().substr(0, binary_ply().size() - 5), "is cut short");
-    expect("e.ply", with(ply(), " 7\n", " 9\n"), "names corner 9 of 8");
+    expect("e.ply", with(ply(), " 7\n", " 9\n"), "names a corner that is none of its 8");
     expect("a.stl", "solid nothing\nendsolid nothing\n", "has no triangle");
     expect("b.stl", binary_stl().substr(0, 300), "claims 12 triangles, more than its 300 bytes can hold");
     expect("c.stl", "short", "is cut short");
