@@ -112,7 +112,7 @@ class Band {
   public:
     Band(const SplatOptions& options, const SplatFrame& frame, const SplatCloud& cloud, Vertices vertices,
          std::vector<BandSplat>& scratch)
-        : frame_(frame), cloud_(cloud), splats_(scratch) {
+        : cloud_(cloud), splats_(scratch) {
         splats_.clear();
         const auto box = box_about(frame.plan);
         double lowest = 1e300, highest = -1e300;
@@ -166,7 +166,6 @@ class Band {
             entered_w_ -= power * part;
     }
 
-    const SplatFrame& frame_;
     const SplatCloud& cloud_;
     std::vector<BandSplat>& splats_;
     MapPart part_;

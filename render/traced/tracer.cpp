@@ -197,10 +197,11 @@ glm::dvec3 Tracer::sky(const Sight& sight) {
     glm::dvec3 seen = text_.sky_at(from);
     const glm::dvec3 to_sun = -scene_.scene.sun.direction();
     if (d.z <= 0 || glm::dot(d, to_sun) <= 0) return seen;
-    const double half = 0.5 * sight.spread, radius = std::hypot(text_.s.sun_radius, half);
+    const double half = sight.spread, radius = std::max<double>(text_.s.sun_radius, half);
     const double off = glm::length(glm::cross(d, to_sun));
     const double part = std::clamp(0.5 + (radius - off) / std::max(2 * half, 1e-9), 0.0, 1.0);
-    if (part > 0) seen += part * text_.s.sun_irradiance / (pi * radius * radius);
+    // Its edge, from radius - half to radius + half, is a slope: so much larger is the disc.
+    if (part > 0) seen += part * text_.s.sun_irradiance / (pi * (radius * radius + half * half / 3));
     return seen;
 }
 

@@ -28,13 +28,13 @@ double worst_of(const Surface& surface, const Camera& camera, double times) {
 TEST(TracedFurnace, StaysWhiteAboveTheWater) {
     for (const Side side : {Side::wall, Side::periodic, Side::absorbing})
         for (const Surface& surface : {calm_surface(side), wavy_surface(side)})
-            EXPECT_LT(worst_of(surface, camera_at({4, -1, 3}, {4, 3, 0}, {96, 72}), 1), 0.01);
+            EXPECT_LT(worst_of(surface, camera_at({4, -1, 3}, {4, 3, 0}, {64, 48}), 1), 0.01);
 }
 
 TEST(TracedFurnace, StaysWhiteInTheWater) {
     for (const Side side : {Side::wall, Side::periodic, Side::absorbing})
         for (const Surface& surface : {calm_surface(side), wavy_surface(side)})
-            EXPECT_LT(worst_of(surface, camera_at({4, 0.5, -1}, {4, 3, -0.8}, {96, 72}), n2), 0.01);
+            EXPECT_LT(worst_of(surface, camera_at({4, 0.5, -1}, {4, 3, -0.8}, {64, 48}), n2), 0.01);
 }
 
 }  // namespace

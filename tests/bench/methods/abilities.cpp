@@ -15,7 +15,7 @@ void report_abilities() {
 | receiver | flat floor, ground | flat floor | flat floor, ground | flat floor, ground | any depth, ground | flat floor |
 | light | sun | sun | sun, lamps | sun, lamps | sun | sun |
 | objects that stop light | yes | yes | yes | yes | yes | no |
-| through glass, off mirrors | no | no | one way of each vertex's light | all ways | no | no |
+| through glass, off mirrors | no | no | all ways, where neighbours go the same | all ways | no | no |
 | light that meets the water from below | no | no | no | yes | no | no |
 | water that hides or lights other water | no | no | what the light sees first | yes | what the light sees first | no |
 | colour, each wavelength a map | yes | yes | yes | yes | no | no |
@@ -26,15 +26,14 @@ void report_abilities() {
 
 Which to choose:
 
-- **waves on water, whatever the depth and resolution: two-pass, `adaptive`**, the default. It is the only one that is quick
-  on a GPU and on a processor, and its error falls with the pixels. More samples a pixel before more pixels where edges must
-  be sharp.
+- **waves on water, whatever the depth and resolution: two-pass, `adaptive`**, the default: below it is the fastest at
+  every error but the largest, where `pixel` is. More samples a pixel before more pixels where edges must be sharp.
 - **quads** where no light may be lost or laid twice at a fold, and as a check of the two-pass map by another road.
-- **splat** where lamps or simple glass must be followed quickly, or smooth light far from its focus is wanted: before the
-  first focus it is the most accurate of all at one sample a pixel.
-- **photons** for everything that branches: walls of glass, mirrors that see each other, light from below. Its noise
+- **splat** where lamps, glass and mirrors must be followed without noise. On waves before their first focus `jacobian` is the most
+  accurate of all at one sample a pixel, and slow.
+- **photons** for everything: edges and corners of glass, light that meets the water from below. Its noise
   falls to a half or less with each doubling of the photons along an axis: take `passes` until its own estimate is as asked.
-  A blur hides noise and widens every edge by its own width.
+  A blur hides noise and widens every edge: on sharp caustics it does more harm than good.
 - **beams** where the water between is wanted as well; the floor then comes with them.
 - **truth** to judge the others.
 )");

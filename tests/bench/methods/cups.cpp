@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "caustics/photons/photons.hpp"
+#include "caustics/splat/splat.hpp"
 #include "export/atomic_file.hpp"
 #include "export/png.hpp"
 #include "render/traced/traced_picture.hpp"
@@ -69,21 +70,38 @@ struct LitMap {
     double seconds = 0;
 };
 
-LitMap lit(const Table& table, int map, int passes, int bounces = interfaces, std::uint64_t seed = 1) {
+/// The sums of both lights' maps, each by its own mapper.
+LitMap lit_by(const Table& table, FloorMapper& by_sun, FloorMapper& by_spot) {
     LitMap all;
     const auto start = std::chrono::steady_clock::now();
-    for (auto [settings, to] : {std::pair(table.sun, &all.sun), {table.spot, &all.spot}}) {
-        settings.options.map = map;
-        settings.options.passes = passes;
-        settings.options.bounces = bounces;
-        settings.options.seed = seed;
-        make_photon_floor(settings)->compute(table.surface, *to);
-    }
+    by_sun.compute(table.surface, all.sun);
+    by_spot.compute(table.surface, all.spot);
     all.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     all.both = all.sun.irradiance.clone();
     const auto spot = all.spot.irradiance.values();
     for (std::size_t k = 0; k < spot.size(); ++k) all.both.values()[k] += spot[k];
     return all;
+}
+
+LitMap lit(const Table& table, int map, int passes, int bounces = interfaces, std::uint64_t seed = 1) {
+    const auto mapper = [&](PhotonSettings settings) {
+        settings.options.map = map;
+        settings.options.passes = passes;
+        settings.options.bounces = bounces;
+        settings.options.seed = seed;
+        return make_photon_floor(settings);
+    };
+    return lit_by(table, *mapper(table.sun), *mapper(table.spot));
+}
+
+LitMap splatted(const Table& table, int grid) {
+    const auto mapper = [&](const PhotonSettings& light) {
+        SplatSettings s{.floor = light.floor, .lamp = light.lamp};
+        s.options.grid = grid;
+        s.options.bounces = interfaces;
+        return make_splat_floor_cpu(s);
+    };
+    return lit_by(table, *mapper(table.sun), *mapper(table.spot));
 }
 
 Field<float> mean_of(const Field<float>& a, const Field<float>& b) {
@@ -92,9 +110,24 @@ Field<float> mean_of(const Field<float>& a, const Field<float>& b) {
     return mean;
 }
 
+double sum_of(const Field<float>& field) {
+    double sum = 0;
+    for (const float e : field.values()) sum += e;
+    return sum;
+}
+
 double lost_part(const LitMap& map) {
     return (map.sun.ledger.lost_w + map.spot.ledger.lost_w) / (map.sun.ledger.incident_w + map.sun.ledger.entered_w +
                                                                map.spot.ledger.incident_w + map.spot.ledger.entered_w);
+}
+
+void print_map(const std::string& name, const LitMap& map, const Field<float>& exact) {
+    const auto error = [&](int box) {
+        return accuracy::relative_rms(accuracy::box_means(map.both, box, box), accuracy::box_means(exact, box, box));
+    };
+    accuracy::print_row({name, accuracy::digits(map.seconds), accuracy::percent(error(1)), accuracy::percent(error(4)),
+                         fmt::format("{:+.1e}", sum_of(map.both) / sum_of(exact) - 1),
+                         accuracy::percent(lost_part(map))});
 }
 
 ColourImage picture_of(const Table& table, const Field<float>& floor, glm::ivec2 size) {
@@ -144,7 +177,7 @@ void report_cups(const Options& options) {
 ## Glass: five cups and a ring
 
 Five cups of glass, n = 1.5, one of them upside down, and a mirror ring on a plane without water, under the sun and a spot.
-Photons alone follow every way through them, so they are compared with themselves. "Three bounces" means three walls of
+Photons and splats follow light through them; both are compared with a long run of photons. "Three bounces" means three walls of
 glass here, and each wall is two interfaces: light may meet {} of them, the last of which is the plane's own. (The number
 that a ray tracer counts, generations of rays, would end light within the second wall of a cup.) Map of {} x {} pixels, no
 blur. The long run is of {} passes of {} squared for each light, {:.0f} million photons in {:.0f} s; its two halves say that
@@ -155,37 +188,30 @@ its own error is {}.
                accuracy::percent(0.5 * accuracy::relative_rms(accuracy::box_means(half.both, 1, 1),
                                                               accuracy::box_means(other.both, 1, 1))));
     std::fflush(stdout);
-    const Field<double> exact = accuracy::box_means(both, 1, 1);
+    const Field<float>& exact = both;
     std::vector<ColourImage> pictures;
-    const glm::ivec2 size = quick ? glm::ivec2{120, 90} : glm::ivec2{560, 400};
+    const glm::ivec2 size = quick ? glm::ivec2{120, 90} : glm::ivec2{448, 320};
     accuracy::print_heads({"photon map", "s", "RMSE", "RMSE in 4 x 4", "light - 1", "lost"});
-    const auto sum = [](const Field<double>& field) {
-        double all = 0;
-        for (const double e : field.values()) all += e;
-        return all;
-    };
     for (const int map : quick ? std::vector<int>{64, 128} : std::vector<int>{512, 1024, 2048}) {
         const LitMap one = lit(table, map, 1);
-        const Field<double> found = accuracy::box_means(one.both, 1, 1);
-        accuracy::print_row({fmt::format("{} squared", map), accuracy::digits(one.seconds),
-                             accuracy::percent(accuracy::relative_rms(found, exact)),
-                             accuracy::percent(accuracy::relative_rms(accuracy::box_means(found, 4, 4),
-                                                                      accuracy::box_means(exact, 4, 4))),
-                             fmt::format("{:+.1e}", sum(found) / sum(exact) - 1), accuracy::percent(lost_part(one))});
+        print_map(fmt::format("{} squared", map), one, exact);
         if (!options.pictures.empty()) {
             pictures.push_back(picture_of(table, one.both, size));
             write_file(fmt::format("{}/cups_{}.png", options.pictures, map), encode_png(pictures.back()));
         }
     }
+    for (const int grid : quick ? std::vector<int>{64} : std::vector<int>{512, 1024}) {
+        const LitMap one = splatted(table, grid);
+        print_map(fmt::format("splat, {} along x", grid), one, exact);
+    }
     fmt::print("\nWhat more bounces bring: light lost for want of them, of that which comes in.\n");
     accuracy::print_heads({"interfaces", "walls", "lost", "light on the plane, of that with 64"});
     const int map = quick ? 64 : 512;
-    const double most = sum(accuracy::box_means(lit(table, map, 1, 64).both, 1, 1));
+    const double most = sum_of(lit(table, map, 1, 64).both);
     for (const int bounces : {3, 5, 7, 9, 13, 17}) {
         const LitMap one = lit(table, map, 1, bounces);
         accuracy::print_row({std::to_string(bounces), std::to_string((bounces - 1) / 2),
-                             accuracy::percent(lost_part(one)),
-                             fmt::format("{:.4f}", sum(accuracy::box_means(one.both, 1, 1)) / most)});
+                             accuracy::percent(lost_part(one)), fmt::format("{:.4f}", sum_of(one.both) / most)});
     }
     if (pictures.empty()) return;
     pictures.push_back(picture_of(table, both, size));

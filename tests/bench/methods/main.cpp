@@ -31,8 +31,8 @@ Written by `./waterlight methods > docs/methods.md`: every method for the floor 
 (`caustics/truth`, double precision), and what it costs. What the two-pass map itself is worth at every footprint and on Vulkan
 is in [accuracy.md](accuracy.md).
 
-Measured with {} threads of {}, {}. Times are the fastest of some rounds in which what is compared ran in turn; others may
-have used the machine: read multiples rather than milliseconds. Every number is printed by the program.
+Measured with {} threads of {}, {}. Times are the fastest of some rounds in which what is compared ran in turn;
+others may have used the machine: read multiples rather than milliseconds. Every number is printed by the program.
 
 - **two-pass** (`method = "two-pass"`): one ray a sample lands, then pixels gather within a window (Yuksel & Keyser 2009);
   footprint `pixel` is the paper's, `adaptive` the parallelogram on which a sample lands.

@@ -38,13 +38,6 @@ Mapper splats(const FloorSettings& settings, int finer, SplatOptions::Size size)
     return held(make_splat_floor_cpu(s));
 }
 
-Mapper photons(const FloorSettings& settings, int finer, double blur) {
-    PhotonSettings s{.floor = settings};
-    s.options.map = photons_along_pixel * finer * longer(settings);
-    s.options.blur_pixels = blur;
-    return held(make_photon_floor(s));
-}
-
 /// One slice of the fields, in the middle of water twice as deep: it lies at the floor.
 Mapper beams(const FloorSettings& settings, int finer) {
     struct Buffers {
@@ -66,6 +59,13 @@ Mapper beams(const FloorSettings& settings, int finer) {
 
 }  // namespace
 
+Mapper photons(const FloorSettings& settings, int along, double blur_pixels) {
+    PhotonSettings s{.floor = settings};
+    s.options.map = along * longer(settings);
+    s.options.blur_pixels = blur_pixels;
+    return held(make_photon_floor(s));
+}
+
 std::vector<Method> all_methods() {
     using Settings = const FloorSettings&;
     using Size = SplatOptions::Size;
@@ -75,8 +75,9 @@ std::vector<Method> all_methods() {
         {"quads", true, 1e-3, quads},
         {"splat, fixed", false, 1e-3, [](Settings s, int n) { return splats(s, n, Size::fixed); }},
         {"splat, jacobian", true, 1e-3, [](Settings s, int n) { return splats(s, n, Size::jacobian); }},
-        {"photons", true, 1e-2, [](Settings s, int n) { return photons(s, n, 0); }},
-        {"photons, blurred", true, 1e-2, [](Settings s, int n) { return photons(s, n, photon_blur); }},
+        {"photons", true, 1e-2, [](Settings s, int n) { return photons(s, photons_along_pixel * n, 0); }},
+        {"photons, blurred", true, 1e-2,
+         [](Settings s, int n) { return photons(s, photons_along_pixel * n, photon_blur); }},
         {"beams", true, 1e-3, beams},
     };
 }

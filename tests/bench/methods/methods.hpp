@@ -26,6 +26,9 @@ std::vector<Method> all_methods();
 /// Photons that `finer` of 1 means a pixel, along each axis.
 inline constexpr int photons_along_pixel = 4;
 
+/// Photons of so many along each axis of a pixel, smoothed by a Gaussian of so many pixels; 0: not.
+Mapper photons(const FloorSettings& settings, int along, double blur_pixels);
+
 /// Pixels of the blur's standard deviation where photons are blurred.
 inline constexpr double photon_blur = 1;
 

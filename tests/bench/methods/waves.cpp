@@ -90,22 +90,62 @@ void report_scene(const Options& options, const Scene& scene, double depth_m) {
     accuracy::print_row(light);
 }
 
+void report_photon_numbers(const Options& options) {
+    constexpr int p = 64;
+    const Scene scene = accuracy::egg_crate();
+    fmt::print(
+        "\n### Photons by their number\n\nThe egg-crate on {0} x {0} pixels; `order` is against the photons along an "
+        "axis. What blur hides of noise it adds in blur.\n",
+        p);
+    accuracy::print_heads({"depth, m", "photons a pixel", "RMSE", "blurred", "RMSE in 4 x 4", "light - 1"});
+    const Grid pixels = make_grid(p, p, scene.period_m.x, scene.period_m.y);
+    const Surface surface =
+        test::sample(make_grid(cells_along_pixel * p, cells_along_pixel * p, scene.period_m.x, scene.period_m.y),
+                     accuracy::periodic, scene.waves);
+    for (const double depth : {3.0, 8.0}) {
+        const Field<double> truth = accuracy::truth_at_pixels(scene, accuracy::fine_truth(scene, depth), p);
+        const FloorSettings settings = settings_of(scene, pixels, depth);
+        std::vector<int> numbers;
+        std::vector<double> errors, blurred_errors, boxes;
+        for (int along = 1; along <= (options.common.quick ? 8 : 32); along *= 2) {
+            FloorMap map, blurred;
+            photons(settings, along, 0)(surface, map);
+            photons(settings, along, photon_blur)(surface, blurred);
+            const Field<double> found = accuracy::box_means(map.irradiance, 1, 1);
+            numbers.push_back(along);
+            errors.push_back(accuracy::relative_rms(found, truth));
+            blurred_errors.push_back(accuracy::relative_rms(accuracy::box_means(blurred.irradiance, 1, 1), truth));
+            boxes.push_back(accuracy::relative_rms(accuracy::box_means(found, 4, 4), accuracy::box_means(truth, 4, 4)));
+            accuracy::print_row({fmt::format("{:g}", depth), std::to_string(along * along),
+                                 accuracy::percent(errors.back()), accuracy::percent(blurred_errors.back()),
+                                 accuracy::percent(boxes.back()),
+                                 fmt::format("{:+.1e}", sum_of(found) / sum_of(truth) - 1)});
+        }
+        accuracy::print_row({fmt::format("{:g}", depth), "order",
+                             fmt::format("{:.2f}", accuracy::order_of(numbers, errors)),
+                             fmt::format("{:.2f}", accuracy::order_of(numbers, blurred_errors)),
+                             fmt::format("{:.2f}", accuracy::order_of(numbers, boxes)), ""});
+    }
+}
+
 }  // namespace
 
 void report_waves(const Options& options) {
     fmt::print(R"(
 ## Waves over a flat floor
 
-The scenes of DESIGN: waves of 0.5 m in water of n = 4/3, as many
-periods as make {2} pixels a side at least, {3} cells of the surface along each pixel. One sample a pixel: one landed ray, quad, vertex or cell of beams, and {0} x {0} photons, of which `blurred` means a Gaussian of
-{1:g} pixel. RMSE of pixel averages relative to that of the truth; `order` by least squares of its logarithm against that of
-the pixels. `light - 1` is the light on the map over that which the truth lets through the surface, less one, the worst of
+Waves of 0.5 m in water of n = 4/3, as many periods as make {2} pixels a side at least, {3} cells of the surface along each
+pixel. One sample a pixel: one landed ray, quad, vertex or cell of beams, and {0} x {0} photons, of which `blurred` means a
+Gaussian of {1:g} pixel. RMSE of pixel averages relative to that of the truth; `order` by least squares of its logarithm
+against that of the pixels. Photons of one number a pixel are as noisy at every resolution: how they converge is in a table
+of their own. `light - 1` is the light on the map over that which the truth lets through the surface, less one, the worst of
 the resolutions.
 )",
                photons_along_pixel, photon_blur, least_pixels, cells_along_pixel);
     for (const double depth : {1.0, 3.0, 8.0}) report_scene(options, accuracy::egg_crate(), depth);
     for (const double depth : {1.0, 3.0}) report_scene(options, accuracy::crossed_waves(), depth);
     report_scene(options, accuracy::skew_wave(), 2);
+    report_photon_numbers(options);
 }
 
 }  // namespace waterlight::methods
