@@ -194,7 +194,7 @@ class PlyChecker {
 
     void require_mesh() const {
         const PlyElement &vertex = element("vertex"), &face = element("face");
-        const auto has = [this](const PlyElement& in, std::string_view name, bool is_list) {
+        const auto has = [](const PlyElement& in, std::string_view name, bool is_list) {
             const auto found = std::ranges::find(in.names, name);
             if (found == in.names.end()) return false;
             const auto n = static_cast<std::size_t>(found - in.names.begin());
