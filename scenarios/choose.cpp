@@ -109,7 +109,9 @@ double photon_noise(const Scenario& s, glm::ivec2 pixels) {
     const glm::dvec2 domain = s.domain.size_m, map = s.floor->size_m.value_or(domain);
     const double passes = s.floor->photons.passes;
     const double on_map = photons_of(s) / passes * std::min(1.0, map.x * map.y / (domain.x * domain.y));
-    const double on_pixel = on_map / (pixels.x * static_cast<double>(pixels.y));
+    const double blur = s.floor->photons.blur_pixels,
+                 shared = std::max(1.0, 4 * pi * blur * blur);  // by so many pixels
+    const double on_pixel = shared * on_map / (pixels.x * static_cast<double>(pixels.y));
     const double noise = std::pow(on_pixel, on_pixel > 1 ? -0.75 : -0.5) / std::sqrt(passes);
     return s.floor->photons.tolerance > 0 ? std::max(noise, s.floor->photons.tolerance) : noise;
 }
