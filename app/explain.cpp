@@ -96,9 +96,9 @@ std::string method_line(const Scenario& s, const LightDemand& light, const char*
                            floor.samples_per_pixel * floor.samples_per_pixel, floor.samples_per_pixel == 1 ? "" : "s",
                            leaves);
     if (floor.method == FloorMethod::splat)
-        return fmt::format("{}, splats of {} vertices landed in {} steps; leaves some {}", map,
-                           rounded(vertices_of(s), 3), floor.splat.iterations, leaves);
-    return fmt::format("{}, {} photons in {} pass{} at most; their noise is some {}", map, rounded(photons_of(s), 3),
+        return fmt::format("{}, splats of {:.0f} vertices landed in {} steps; leaves some {}", map, vertices_of(s),
+                           floor.splat.iterations, leaves);
+    return fmt::format("{}, {:.0f} photons in {} pass{} at most; their noise is some {}", map, photons_of(s),
                        floor.photons.passes, floor.photons.passes == 1 ? "" : "es", leaves);
 }
 

@@ -280,10 +280,7 @@ class Cut {
         piece.fate = fate;
         piece.share = std::abs(cross(t[1].at - t[0].at, t[2].at - t[0].at));
         if (!(piece.share > 0)) return;
-        for (int k = 0; k < 3; ++k) {
-            piece.corner[k] = t[k].corner;
-            if (fate == Fate::goes_on) piece.corner[k].end_z = end_at(t[k].at);
-        }
+        for (int k = 0; k < 3; ++k) piece.corner[k] = t[k].corner;
         pieces_.push_back(piece);
     }
 

@@ -163,7 +163,9 @@ class QuadSharer::Band : public ChannelBand {
         const glm::ivec2 base{frame_.columns.first + i, frame_.rows.first + j};
         const glm::dvec2 low = glm::min(glm::min(q[0], q[1]), glm::min(q[2], q[3]));
         const glm::dvec2 high = glm::max(glm::max(q[0], q[1]), glm::max(q[2], q[3]));
-        if (!(high.x - low.x < 1e9 && high.y - low.y < 1e9 && std::abs(low.x) < 1e9 && std::abs(low.y) < 1e9))
+        // A sum keeps what is not a number, as the least and largest do not.
+        const glm::dvec2 sum = glm::abs(low) + glm::abs(high) + glm::abs(q[0] + q[1] + q[2] + q[3]);
+        if (!(sum.x + sum.y < 1e9))
             return put(base.x, base.y, power);  // not a number: it shows where it should have been
         // By the map, not by the band: where in its batch a quad is would show in the last digit.
         if (base.y + high.y < 0 || base.y + low.y > frame_.map_height || base.x + high.x < 0 ||

@@ -104,11 +104,15 @@ glm::dvec2 vertex_pitch_m(const Scenario& s) {
     return glm::dvec2(std::sqrt(s.domain.size_m.x * s.domain.size_m.y / vertices_of(s)));
 }
 
-/// Relative standard error of a map of even light: of stratified photons, less than that of free ones.
+/// Relative standard error of a map: of n photons of a pass in a pixel, which are stratified, n^-3/4 (docs/objects.md).
 double photon_noise(const Scenario& s, glm::ivec2 pixels) {
     const glm::dvec2 domain = s.domain.size_m, map = s.floor->size_m.value_or(domain);
-    const double on_map = photons_of(s) * std::min(1.0, map.x * map.y / (domain.x * domain.y));
-    const double noise = std::sqrt(pixels.x * static_cast<double>(pixels.y) / on_map);
+    const double passes = s.floor->photons.passes;
+    const double on_map = photons_of(s) / passes * std::min(1.0, map.x * map.y / (domain.x * domain.y));
+    const double blur = s.floor->photons.blur_pixels,
+                 shared = std::max(1.0, 4 * pi * blur * blur);  // by so many pixels
+    const double on_pixel = shared * on_map / (pixels.x * static_cast<double>(pixels.y));
+    const double noise = std::pow(on_pixel, on_pixel > 1 ? -0.75 : -0.5) / std::sqrt(passes);
     return s.floor->photons.tolerance > 0 ? std::max(noise, s.floor->photons.tolerance) : noise;
 }
 

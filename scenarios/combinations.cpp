@@ -71,7 +71,10 @@ struct SourceCheck {
     const Scenario& s;
     std::string key;
 
-    void operator()(const Drop& drop) const { require_inside(s, key + ".at_m", drop.at_m); }
+    void operator()(const Drop& drop) const {
+        require_inside(s, key + ".at_m", drop.at_m);
+        require_within_domain(drop.radius_m);
+    }
     void operator()(const Rain& rain) const {
         if (rain.radius_m.x > rain.radius_m.y)
             s.origin.reject(key + ".radius_m", "the greatest first", "[least, greatest]");
@@ -84,11 +87,21 @@ struct SourceCheck {
         const double drops = rain.drops_per_m2_s * s.domain.size_m.x * s.domain.size_m.y * seconds;
         if (drops > most)
             s.origin.reject(key + ".drops_per_m2_s", fmt::format("{:.3g} drops over the run", drops), "at most 1e7");
+        require_within_domain(rain.radius_m.y);
     }
     void operator()(const Wavemaker& maker) const {
         require_inside(s, key + ".from_m", maker.from_m);
         require_inside(s, key + ".to_m", maker.to_m);
         if (maker.from_m == maker.to_m) s.origin.reject(key + ".to_m", "the place of from_m", "another place");
+    }
+
+  private:
+    /// Each side that a drop reaches doubles its images: one far wider than the domain has no end of them.
+    void require_within_domain(double radius_m) const {
+        const double most = std::max(s.domain.size_m.x, s.domain.size_m.y);
+        if (radius_m > most)
+            s.origin.reject(key + ".radius_m", fmt::format("{}", radius_m),
+                            fmt::format("at most the domain's longer side, {} m", most));
     }
 };
 

@@ -15,17 +15,20 @@ constexpr double airy_cell_frame = 12e-9;
 constexpr double surface_cell_frame = 1e-9;  // of linear and shallow-water: elevation and slopes for the light
 constexpr double prescribed_cell_wave_frame = 2e-9;
 
-constexpr double floor_pixel_frame = 5e-9;            // two-pass, a sample, footprint "pixel"
-constexpr double floor_parallelogram_frame = 10e-9;   // footprint "adaptive"
-constexpr double truth_pixel_frame = 2e-6;            // converged to 1e-3
-constexpr double quad_frame = 60e-9;                  // each of them
-constexpr double splat_vertex_frame = 250e-9;         // in water; and a pixel of its map
-constexpr double splat_object_vertex_frame = 1.5e-6;  // where there are objects or a lamp
-constexpr double photon_frame = 0.5e-6;               // from the water's surface
-constexpr double photon_object_frame = 2e-6;          // from the light, among objects
-constexpr double traced_sample_frame = 4e-6;          // of a picture with objects
-constexpr double beam_frame = 0.1e-6;                 // each of two a cell, made anew
-constexpr double beam_slice_frame = 75e-9;            // each beam in each layer of volume_cells (beams_volume)
+constexpr double floor_pixel_frame = 5e-9;           // two-pass, a sample, footprint "pixel"
+constexpr double floor_parallelogram_frame = 10e-9;  // footprint "adaptive"
+constexpr double truth_pixel_frame = 2e-6;           // converged to 1e-3
+// Of methods that look from the light, as multiples of the plain map's 10 ns in the same minute (pool, 512 x 384
+// pixels):
+constexpr double quad_frame = 17e-9;                                      // each of them
+constexpr double splat_vertex_frame = 200e-9, splat_pixel_frame = 60e-9;  // in water
+constexpr double splat_object_vertex_frame = 950e-9;                      // where there are objects
+constexpr double photon_frame = 33e-9;                                    // from the water's surface
+constexpr double photon_object_frame = 150e-9,
+                 photon_cell_frame = 230e-9;  // among objects; of the water as they see it
+constexpr double traced_sample_frame = 1e-6;  // of a picture with objects
+constexpr double beam_frame = 0.1e-6;         // each of two a cell, made anew
+constexpr double beam_slice_frame = 75e-9;    // each beam in each layer of volume_cells (beams_volume)
 // A pixel that beams fill, for each column of their grid: 0.75 rays through cells of 5 ns each (beams_image).
 constexpr double picture_pixel_column_frame = 3.7e-9;
 // As multiples of the plain map in the same minute (light/*, docs/light.md):

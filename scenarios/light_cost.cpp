@@ -27,21 +27,20 @@ double disc_factor(const Scenario& s, glm::ivec2 pixels) {
 bool is_followed(const Scenario& s) { return !s.objects.empty() || s.lamp; }
 
 /// Of one wavelength's map by a method that looks from the light.
-double light_image_seconds(const Scenario& s, glm::ivec2 pixels) {
-    if (s.floor->method == FloorMethod::splat) {
-        const double vertices = vertices_of(s);
-        return (vertices + product(pixels)) * costs::splat_vertex_frame +
-               (is_followed(s) ? vertices * costs::splat_object_vertex_frame : 0);
-    }
-    return photons_of(s) * (is_followed(s) ? costs::photon_object_frame : costs::photon_frame);
+double light_image_seconds(const Scenario& s, glm::ivec2 pixels, glm::ivec2 cells) {
+    if (s.floor->method == FloorMethod::splat)
+        return vertices_of(s) * (is_followed(s) ? costs::splat_object_vertex_frame : costs::splat_vertex_frame) +
+               product(pixels) * costs::splat_pixel_frame;
+    if (!is_followed(s)) return photons_of(s) * costs::photon_frame;
+    return photons_of(s) * costs::photon_object_frame + product(cells) * costs::photon_cell_frame;
 }
 
 /// Of one map.
-double floor_seconds(const Scenario& s, glm::ivec2 pixels) {
+double floor_seconds(const Scenario& s, glm::ivec2 pixels, glm::ivec2 cells) {
     const FloorSection& floor = *s.floor;
     const double bands = std::max<double>(1, static_cast<double>(bands_of(s).size()));
     if (floor.method == FloorMethod::splat || floor.method == FloorMethod::photons)
-        return bands * disc_factor(s, pixels) * light_image_seconds(s, pixels);
+        return bands * disc_factor(s, pixels) * light_image_seconds(s, pixels, cells);
     if (floor.on.receiver == Receiver::ground) return bands * product(pixels) * costs::relief_pixel_frame;
     if (floor.method == FloorMethod::truth) return product(pixels) * costs::truth_pixel_frame;
     const double sample = floor.method == FloorMethod::quads    ? costs::quad_frame
@@ -80,7 +79,7 @@ double photons_of(const Scenario& s) {
 double light_seconds(const Scenario& s, const LightDemand& light, glm::ivec2 cells) {
     const double moments = moments_of_run(s), frames = frames_of_run(s);
     double seconds = 0;
-    if (s.floor) seconds += moments * floor_seconds(s, light.pixels);
+    if (s.floor) seconds += moments * floor_seconds(s, light.pixels, cells);
     if (s.walls) {
         const double bands = std::max<double>(1, static_cast<double>(bands_of(s).size()));
         seconds += frames * bands * product(cells) * costs::wall_cell_frame;

@@ -117,7 +117,7 @@ class PlyChecker {
         require_mesh();
         for (const PlyElement& element : header_.elements)
             for (std::uint64_t row = 0; row < element.rows; ++row)
-                header_.format == PlyFormat::ascii ? check_line(element) : check_row(element);
+                header_.format == PlyFormat::ascii ? check_line(element) : check_bytes(element);
     }
 
   private:
@@ -178,6 +178,10 @@ class PlyChecker {
         property.bytes = bytes_of_type(type);
         const std::string_view name = take_word(line);
         require(property.bytes > 0 && !name.empty(), "has a property of no type that is known");
+        const bool is_corners = name == "vertex_indices" || name == "vertex_index";
+        require(!is_corners || !is_float(type), "names its corners by numbers that are not whole");
+        require(std::ranges::find(header_.elements.back().names, name) == header_.elements.back().names.end(),
+                "has a property twice");
         header_.elements.back().properties.push_back(property);
         header_.elements.back().names.push_back(name);
     }
@@ -190,7 +194,7 @@ class PlyChecker {
 
     void require_mesh() const {
         const PlyElement &vertex = element("vertex"), &face = element("face");
-        const auto has = [this](const PlyElement& in, std::string_view name, bool is_list) {
+        const auto has = [](const PlyElement& in, std::string_view name, bool is_list) {
             const auto found = std::ranges::find(in.names, name);
             if (found == in.names.end()) return false;
             const auto n = static_cast<std::size_t>(found - in.names.begin());
@@ -204,8 +208,39 @@ class PlyChecker {
         for (const PlyElement& e : header_.elements) require(!e.properties.empty(), "has an element of no property");
     }
 
+    /// Lists of one row, by their names. VTK takes it that corners are there, and have two texture coordinates each.
+    struct Row {
+        std::uint64_t corners = 0, texture = 0;
+        bool has_texture = false;
+    };
+
+    static bool names_corners(const PlyElement& element, std::size_t k) {
+        return element.name == "face" && (element.names[k] == "vertex_indices" || element.names[k] == "vertex_index");
+    }
+
+    void add_list(const PlyElement& element, std::size_t k, std::uint64_t count, Row& row) const {
+        require(count <= most_corners, "has a list that is too long");
+        if (names_corners(element, k)) row.corners = count;
+        if (element.name == "face" && element.names[k] == "texcoord") {
+            row.texture = count;
+            row.has_texture = true;
+        }
+    }
+
+    void require_corner(std::optional<std::int64_t> corner) const {
+        const auto most = static_cast<std::int64_t>(element("vertex").rows);
+        require(corner && *corner >= 0 && *corner < most, fmt::format("names a corner that is none of its {}", most));
+    }
+
+    void check_row(const PlyElement& element, const Row& row) const {
+        require(!row.has_texture || row.texture == 2 * row.corners,
+                "has faces whose texture coordinates are not two a corner");
+        if (element.name == "face") require(row.corners >= 3, "has a face of fewer than three corners");
+    }
+
     void check_line(const PlyElement& element) {
-        require(!rest_.empty(), "is cut short");
+        // VTK frees the row before again where a line has no end.
+        require(rest_.find('\n') != std::string_view::npos, "is cut short: a row has no end of line");
         std::string_view line = take_line(rest_);
         require(line.size() <= longest_line, "has a line that is too long");
         const auto next = [&] {
@@ -213,25 +248,39 @@ class PlyChecker {
             require(is_number(word), "has no number where one must be");
             return word;
         };
-        for (const PlyProperty& property : element.properties) {
+        Row row;
+        for (std::size_t p = 0; p < element.properties.size(); ++p) {
             const std::string_view first = next();
-            if (property.count_bytes == 0) continue;
+            if (element.properties[p].count_bytes == 0) continue;
             const auto count = number_in<std::uint64_t>(first);
-            require(count && *count <= most_corners, "has a list that is too long");
-            for (std::uint64_t k = 0; k < *count; ++k) next();
+            require(count.has_value(), "has a list whose length is no whole number");
+            add_list(element, p, *count, row);
+            for (std::uint64_t k = 0; k < *count; ++k) {
+                const std::string_view word = next();
+                if (names_corners(element, p)) require_corner(number_in<std::int64_t>(word));
+            }
         }
+        check_row(element, row);
     }
 
-    void check_row(const PlyElement& element) {
-        for (const PlyProperty& property : element.properties) {
+    void check_bytes(const PlyElement& element) {
+        Row row;
+        for (std::size_t p = 0; p < element.properties.size(); ++p) {
+            const PlyProperty& property = element.properties[p];
             if (property.count_bytes == 0) {
                 skip(property.bytes);
                 continue;
             }
-            const std::uint64_t count = take_count(property.count_bytes);
-            require(count <= most_corners, "has a list that is too long");
-            skip(count * property.bytes);
+            const std::uint64_t count = take_whole(property.count_bytes);
+            add_list(element, p, count, row);
+            for (std::uint64_t k = 0; k < count; ++k) {
+                if (names_corners(element, p))
+                    require_corner(static_cast<std::int64_t>(take_whole(property.bytes)));
+                else
+                    skip(property.bytes);
+            }
         }
+        check_row(element, row);
     }
 
     void skip(std::uint64_t bytes) {
@@ -239,7 +288,8 @@ class PlyChecker {
         rest_.remove_prefix(bytes);
     }
 
-    std::uint64_t take_count(std::size_t bytes) {
+    /// A whole number without a sign: one below 0 becomes one beyond all corners.
+    std::uint64_t take_whole(std::size_t bytes) {
         require(bytes <= rest_.size(), "is cut short");
         std::uint64_t count = 0;
         for (std::size_t k = 0; k < bytes; ++k) {

@@ -5,6 +5,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkCleanPolyData.h>
+#include <vtkExecutive.h>
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
 #include <vtkPLYReader.h>
@@ -75,8 +76,10 @@ vtkSmartPointer<vtkPolyData> read_by(const std::filesystem::path& file) {
     listener->SetCallback([](vtkObject*, unsigned long, void* client, void*) {
         *static_cast<std::string*>(client) = "is not what its ending says, or is cut short";
     });
-    reader->AddObserver(vtkCommand::ErrorEvent, listener);
-    reader->AddObserver(vtkCommand::WarningEvent, listener);
+    for (vtkObject* speaks : {static_cast<vtkObject*>(reader), static_cast<vtkObject*>(reader->GetExecutive())}) {
+        speaks->AddObserver(vtkCommand::ErrorEvent, listener);
+        speaks->AddObserver(vtkCommand::WarningEvent, listener);
+    }
     reader->SetFileName(file.c_str());
     reader->Update();
     if (!complaint.empty()) reject(file, complaint);

@@ -7,125 +7,6 @@ namespace waterlight {
 
 namespace {
 
-constexpr int lanes = 8;
-using Lanes = std::array<float, lanes>;
-
-/// A rectangle of the map's pixels.
-struct Part {
-    glm::ivec2 first{0, 0};
-    Field<float> power_w;
-};
-
-/// Cells [first, end) of one axis.
-struct CellSpan {
-    int first = 0, end = 0;
-};
-
-CellSpan cells_within(float middle, float half, CellSpan limits) {
-    const auto cell = [](float x) { return static_cast<int>(std::floor(std::clamp(x, -1e9F, 1e9F))); };
-    return {std::max(limits.first, cell(middle - half)), std::min(limits.end, cell(middle + half) + 1)};
-}
-
-/// Adds a line of a splat to cells `stride` apart; returns how much it adds.
-float add_line(float middle, float deviation, float power, CellSpan limits, float* to, std::ptrdiff_t stride) {
-    const CellSpan cells = cells_within(middle, f32::splat_reach * deviation, limits);
-    const float per = 1 / deviation;
-    float laid = 0;
-    for (int begin = cells.first; begin < cells.end; begin += lanes - 1) {
-        Lanes below;
-        const float from = static_cast<float>(begin) - middle;
-        for (int k = 0; k < lanes; ++k) below[k] = power * f32::splat_below((from + static_cast<float>(k)) * per);
-        const int count = std::min(lanes - 1, cells.end - begin);
-        for (int k = 0; k < count; ++k) to[(begin + k) * stride] += below[k + 1] - below[k];
-        laid += below[count] - below[0];
-    }
-    return laid;
-}
-
-/// The lines of a splat between `lanes` places one pixel apart.
-struct Lines {
-    Lanes place, density, below;
-
-    Lines(float from, float per) {
-        for (int k = 0; k < lanes; ++k) {
-            place[k] = std::clamp((from + static_cast<float>(k)) * per, -f32::splat_reach, f32::splat_reach);
-            const f32::NormalAt n = f32::normal_at(place[k]);
-            density[k] = n.density;
-            below[k] = n.below;
-        }
-    }
-    f32::SplatLine line(const f32::SplatShape& shape, int k) const {
-        return f32::splat_line(shape, place[k], {density[k], below[k]}, place[k + 1], {density[k + 1], below[k + 1]});
-    }
-};
-
-/// Adds a splat about `at` to a part of the map. Returns how much of its light lies there, W.
-float add_gaussian(const f32::SplatShape& s, glm::dvec2 at, float power, Part& part) {
-    const int width = part.power_w.nx();
-    // About the cell of the centre, so that floats hold the rest.
-    const glm::dvec2 cell = glm::floor(at);
-    const glm::vec2 centre(at - cell);
-    const glm::ivec2 base = glm::ivec2(cell) - part.first;
-    const CellSpan columns{-base.x, width - base.x}, rows{-base.y, part.power_w.ny() - base.y};
-    float* origin = part.power_w.data() + (static_cast<std::ptrdiff_t>(base.y) * width + base.x);
-    const bool upright = s.transposed != 0;
-    const float major = upright ? centre.y : centre.x, minor = upright ? centre.x : centre.y;
-    const CellSpan across = upright ? columns : rows;
-    const std::ptrdiff_t major_stride = upright ? width : 1, minor_stride = upright ? 1 : width;
-    const CellSpan cells = cells_within(major, f32::splat_reach * s.along, upright ? rows : columns);
-    const float per = 1 / s.along;
-    float laid = 0;
-    for (int begin = cells.first; begin < cells.end; begin += lanes - 1) {
-        const Lines lines(static_cast<float>(begin) - major, per);
-        const int count = std::min(lanes - 1, cells.end - begin);
-        for (int k = 0; k < count; ++k) {
-            const f32::SplatLine line = lines.line(s, k);
-            laid += add_line(minor + line.middle, line.deviation, power * line.share, across,
-                             origin + (begin + k) * major_stride, minor_stride);
-        }
-    }
-    return laid;
-}
-
-/// A splat near an edge of the lattice: what lies beyond is mirrored.
-float add_edged(const Splat& splat, Part& part) {
-    const glm::dvec2 reach = splat.reach();
-    const glm::ivec2 low(glm::floor(splat.centre - reach)), high(glm::floor(splat.centre + reach));
-    if (high.x - low.x >= f32::widest_edged || high.y - low.y >= f32::widest_edged)
-        return add_gaussian(splat.shape, splat.centre, splat.power_w, part);
-    Part tile{low, Field<float>(high.x - low.x + 1, high.y - low.y + 1)};
-    const auto& [x, y] = splat.edges;
-    const auto is = [](const f32::SplatEdge& e) { return e.normal != glm::vec2{0, 0}; };
-    const auto add = [&](glm::vec2 by) {
-        add_gaussian(splat.shape, splat.centre + glm::dvec2(by), splat.power_w, tile);
-    };
-    add({0, 0});
-    if (is(x)) add(x.mirrored);
-    if (is(y)) add(y.mirrored);
-    if (is(x) && is(y)) add(x.mirrored + y.mirrored);
-    double sum = 0;
-    for (int j = 0; j < tile.power_w.ny(); ++j)
-        for (int i = 0; i < tile.power_w.nx(); ++i) {
-            const glm::vec2 middle(glm::dvec2(low) + glm::dvec2(i + 0.5, j + 0.5) - splat.centre);
-            tile.power_w(i, j) *= f32::inside_edge(x, middle) * f32::inside_edge(y, middle);
-            sum += tile.power_w(i, j);
-        }
-    if (!(sum > 0)) return add_gaussian(splat.shape, splat.centre, splat.power_w, part);
-    const float scale = splat.power_w / static_cast<float>(sum);
-    float laid = 0;
-    for (int j = std::max(low.y, part.first.y); j <= std::min(high.y, part.first.y + part.power_w.ny() - 1); ++j)
-        for (int i = std::max(low.x, part.first.x); i <= std::min(high.x, part.first.x + part.power_w.nx() - 1); ++i) {
-            const float power = scale * tile.power_w(i - low.x, j - low.y);
-            part.power_w(i - part.first.x, j - part.first.y) += power;
-            laid += power;
-        }
-    return laid;
-}
-
-float add_splat(const Splat& splat, Part& part) {
-    return splat.near_edge ? add_edged(splat, part) : add_gaussian(splat.shape, splat.centre, splat.power_w, part);
-}
-
 /// First and second difference along one axis of the lattice, pixels.
 struct Difference {
     glm::dvec2 first{0, 0}, second{0, 0};
@@ -221,14 +102,21 @@ struct BandSplat {
     int vertex;
 };
 
+/// [begin, end)
+struct Vertices {
+    int begin = 0, end = 0;
+};
+
 /// The light of some rows of vertices.
 class Band {
   public:
-    Band(const SplatOptions& options, const SplatFrame& frame, const SplatCloud& cloud, int begin, int end)
-        : frame_(frame), cloud_(cloud) {
+    Band(const SplatOptions& options, const SplatFrame& frame, const SplatCloud& cloud, Vertices vertices,
+         std::vector<BandSplat>& scratch)
+        : cloud_(cloud), splats_(scratch) {
+        splats_.clear();
         const auto box = box_about(frame.plan);
         double lowest = 1e300, highest = -1e300;
-        for (int k = begin; k < end; ++k) {
+        for (int k = vertices.begin; k < vertices.end; ++k) {
             if (!(cloud.power_w[k] > 0)) continue;
             const Splat splat = splat_of(options, frame, cloud, k);
             const std::size_t before = splats_.size();
@@ -278,10 +166,9 @@ class Band {
             entered_w_ -= power * part;
     }
 
-    const SplatFrame& frame_;
     const SplatCloud& cloud_;
-    std::vector<BandSplat> splats_;
-    Part part_;
+    std::vector<BandSplat>& splats_;
+    MapPart part_;
     double outside_w_ = 0, entered_w_ = 0;
 };
 
@@ -317,12 +204,16 @@ void spread(const SplatOptions& options, const SplatFrame& frame, SplatCloud& cl
     // Bands of so many vertices' rows, added in order: the sums do not depend on the number of threads.
     constexpr int band = 32;
     const int rows = static_cast<int>(cloud.row_begin.size()) - 1, bands = (rows + band - 1) / band;
-#pragma omp parallel for schedule(static, 1) ordered
-    for (int b = 0; b < bands; ++b) {
-        const Band light(options, frame, cloud, cloud.row_begin[b * band],
-                         cloud.row_begin[std::min(rows, (b + 1) * band)]);
+#pragma omp parallel
+    {
+        std::vector<BandSplat> scratch;
+#pragma omp for schedule(static, 1) ordered
+        for (int b = 0; b < bands; ++b) {
+            const Vertices vertices{cloud.row_begin[b * band], cloud.row_begin[std::min(rows, (b + 1) * band)]};
+            const Band light(options, frame, cloud, vertices, scratch);
 #pragma omp ordered
-        light.add_to(power_w, cloud.ledger);
+            light.add_to(power_w, cloud.ledger);
+        }
     }
 }
 

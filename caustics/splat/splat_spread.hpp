@@ -19,6 +19,15 @@ struct Splat {
     glm::dvec2 reach() const;
 };
 
+/// A rectangle of the map's pixels.
+struct MapPart {
+    glm::ivec2 first{0, 0};
+    Field<float> power_w;
+};
+
+/// Adds a splat to a part of the map. Returns how much of its light lies there, W.
+float add_splat(const Splat& splat, MapPart& part);
+
 /// That of vertex k of a cloud, by its neighbours' landing.
 Splat splat_of(const SplatOptions& options, const SplatFrame& frame, const SplatCloud& cloud, int k);
 

@@ -118,7 +118,7 @@ SplatParameters parameters(const SplatSettings& s, const SplatFrame& f, const Su
 /// What lands repeats: it is brought into the domain, and copied from there as often as the map, and splats up to a
 /// period wide, ask for.
 void add_periods(const SplatFrame& f, SplatParameters& p) {
-    const auto [map_low, map_high] = box_about(f.plan);
+    const BoxM map = box_about(f.plan);
     const glm::dvec2 x = f.to_pixels * glm::dvec2{f.period_m.x, 0}, y = f.to_pixels * glm::dvec2{0, f.period_m.y};
     p.period_x_x = static_cast<float>(x.x);
     p.period_x_y = static_cast<float>(x.y);
@@ -133,8 +133,8 @@ void add_periods(const SplatFrame& f, SplatParameters& p) {
         per_y = static_cast<float>(to_metres[1][n] / period);
         origin = static_cast<float>((f.plan.origin_m[n] - corner) / period);
         constexpr double rounding = 1e-9;
-        low = static_cast<int>(std::floor((map_low[n] - corner) / period + rounding)) - 1;
-        high = static_cast<int>(std::ceil((map_high[n] - corner) / period - rounding));
+        low = static_cast<int>(std::floor((map.first[n] - corner) / period + rounding)) - 1;
+        high = static_cast<int>(std::ceil((map.second[n] - corner) / period - rounding));
     };
     axis(0, 1, p.per_x_x, p.per_x_y, p.origin_x, p.copy_low_x, p.copy_high_x);
     axis(1, 2, p.per_y_x, p.per_y_y, p.origin_y, p.copy_low_y, p.copy_high_y);

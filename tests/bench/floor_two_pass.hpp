@@ -8,6 +8,7 @@
 #include <string>
 
 #include "caustics/floor.hpp"
+#include "caustics/splat/splat.hpp"
 
 namespace waterlight::bench {
 
@@ -38,5 +39,10 @@ void register_floor_quads();
 
 /// Registers floor_photons/...
 void register_floor_photons();
+
+using MakeSplats = std::function<std::unique_ptr<SplatFloor>(const SplatSettings&)>;
+
+/// Registers floor_splat/BACKEND/...
+void register_floor_splat(const std::string& backend, const MakeSplats& make);
 
 }  // namespace waterlight::bench

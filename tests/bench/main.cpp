@@ -5,6 +5,7 @@
 
 #include "caustics/beam_renderer_vulkan.hpp"
 #include "caustics/floor_vulkan.hpp"
+#include "caustics/splat/splat_vulkan.hpp"
 #include "gpu/error.hpp"
 #include "sim/shallow_water_vulkan.hpp"
 #include "tests/bench/beams.hpp"
@@ -22,6 +23,8 @@ void register_vulkan() {
         auto context = std::make_shared<gpu::Context>();
         benchmark::AddCustomContext("vulkan_device", context->device().name);
         bench::register_floor("vulkan", [context](const FloorSettings& s) { return make_floor_vulkan(s, context); });
+        bench::register_floor_splat("vulkan",
+                                    [context](const SplatSettings& s) { return make_splat_floor_vulkan(s, context); });
         // A program that plays a GPU takes seconds for a few steps.
         const int frames = context->device().type == gpu::DeviceType::cpu ? 1 : 0;
         bench::register_shallow(
@@ -40,6 +43,7 @@ int main(int argc, char** argv) {
     bench::register_floor("cpu", make_floor_cpu);
     bench::register_floor_quads();
     bench::register_floor_photons();
+    bench::register_floor_splat("cpu", make_splat_floor_cpu);
     bench::register_shallow("cpu", make_shallow_water<float>);
     bench::register_beams("cpu", make_beam_renderer_cpu);
     bench::register_beam_parts();

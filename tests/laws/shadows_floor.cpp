@@ -214,8 +214,8 @@ TEST_P(FloorShadows, WhatIsNotInTheWayChangesNothing) {
 }
 
 TEST_P(FloorShadows, SmallAndThinThingsTakeTheirPart) {
-    // A ball of a third of a pixel, and a pole thinner than a pixel.
-    const FloorSettings small = settings_of({ball(.008, {2.003, 1.501, -1})});
+    // A ball of a third of a pixel, between the corners of samples, and a pole thinner than a pixel.
+    const FloorSettings small = settings_of({ball(.008, {2.0125, 1.5125, -1})});
     const double enters = 1000 * f64::refract_sun({0, 0, -1}, {0, 0}, 4.0 / 3, 1).transmittance;
     EXPECT_NEAR(map_of(small, pool()).ledger.objects_w, enters * pi * 6.4e-5, .3 * enters * pi * 6.4e-5);
     Object pole{.name = "pole", .shape = Box{{.02, .02, 3}}, .centre_m = {1.003, 1.004, -.5}};
@@ -280,6 +280,21 @@ TEST(FloorShadowsOnMaps, TurnedMapsPartsSidesAndSamplesAllClose) {
                     EXPECT_LT(less, map.ledger.objects_w + entered) << m << angle;
                 }
             }
+}
+
+// Half of a ball stands in the water before a wall, across which a turned map's coarse samples lie.
+TEST(FloorShadowsOnMaps, QuadsThatAWallCutsAreShaded) {
+    constexpr double radius = .5;
+    FloorSettings s = settings_of({ball(radius, {0, 1.5, -1})});
+    s.plan = {50, 40, {.6, -.9}, {.1, .1}, 33};
+    FloorMap map;
+    make_floor_quads(s)->compute(pool(flat, walled), map);
+    const double enters = 1000 * f64::refract_sun({0, 0, -1}, {0, 0}, 4.0 / 3, 1).transmittance;
+    const double stopped = enters * pi * radius * radius / 2;
+    EXPECT_NEAR(map.ledger.objects_w, stopped, 1e-2 * stopped);
+    EXPECT_LT(map.ledger.closure(), 1e-6);
+    const glm::ivec2 at_wall(glm::floor(s.plan.pixel({0, 1.5})));
+    EXPECT_LT(map.irradiance(at_wall.x, at_wall.y), 1);
 }
 
 TEST(FloorShadowsOnMaps, AreasConvergeWithTheSamples) {

@@ -10,6 +10,7 @@
 
 #include "caustics/beam_point.hpp"
 #include "caustics/beam_refine.hpp"
+#include "caustics/objects/repeated_objects.hpp"
 #include "sim/bathymetry.hpp"
 #include "tests/support/shadow_scenes.hpp"
 
@@ -94,6 +95,19 @@ TEST(ShadowBeams, AShadowThatLeavesOneSideComesInAtTheOther) {
     }
 }
 
+TEST(RepeatedObjects, AreMetInTheOrderOfTheRay) {
+    const Grid grid = make_grid(8, 6, 4, 3);
+    const RepeatedObjects objects(objects_of({ball(.3, {1, 1, -1})}), 0, grid, {Side::periodic, Side::absorbing});
+    for (const double towards : {1.0, -1.0}) {
+        Ray ray{.from_m = {11.2, 1, -1}, .direction = {towards, 0, 0}, .farthest_m = 30};
+        const auto hit = objects.first_hit(ray);
+        ASSERT_TRUE(hit);
+        EXPECT_NEAR(hit->distance_m, towards > 0 ? 13 - .3 - 11.2 : 11.2 - 9.3, 1e-12) << "the balls at 13 and at 9";
+        ray.from_m.y = 4;
+        EXPECT_FALSE(objects.first_hit(ray)) << "not along y";
+    }
+}
+
 /// Power that a ball takes under waves: of rays from a fine mesh of the surface as its formula says, one by one.
 double taken(const ShadowPool& pool, glm::dvec3 centre, int rays) {
     const glm::dvec3 s = pool.beams.sun.direction();
@@ -141,6 +155,47 @@ TEST(ShadowBeams, UnderWavesTheLedgerTakesWhatRaysBring) {
             EXPECT_NEAR(l.inside_w, l.flux_w, 1e-9);
         }
         EXPECT_NEAR(f.volume.ledger[0].flux_w / f.beams.ledger.floor_w, 1, 1e-4) << "what lands, passes the last slice";
+    }
+}
+
+/// Power that a ball below takes of the rays of each beam as they are between its corners.
+double taken_of_beams(const Beams& beams, glm::dvec3 centre, int parts) {
+    double sum = 0;
+    for (int j = 0; j < beams.ny; ++j)
+        for (int b = 0; b < 2 * beams.nx; ++b) {
+            const std::array<glm::ivec2, 3> at = corners_of(b, j);
+            std::array<glm::dvec2, 3> still, travel;
+            for (int k = 0; k < 3; ++k) {
+                const int i = at[k].x, row = at[k].y;
+                travel[k] = {beams.travel_x(i, row), beams.travel_y(i, row)};
+                still[k] = glm::dvec2{beams.x(i, row), beams.y(i, row)} + double{beams.z(i, row)} * travel[k];
+            }
+            int met = 0, all = 0;
+            for (int q = 0; q < parts; ++q)
+                for (int p = 0; p + q < parts; ++p, ++all) {
+                    const double u = (p + 1.0 / 3) / parts, v = (q + 1.0 / 3) / parts;
+                    const glm::dvec3 way{travel[0] + u * (travel[1] - travel[0]) + v * (travel[2] - travel[0]), -1};
+                    glm::dvec3 off{still[0] + u * (still[1] - still[0]) + v * (still[2] - still[0]), 0};
+                    off -= centre;
+                    off -= glm::dvec3{4 * std::round((off.x - centre.z * way.x) / 4),
+                                      3 * std::round((off.y - centre.z * way.y) / 3), 0};
+                    const double along = glm::dot(off, glm::normalize(way));
+                    met += glm::dot(off, off) - along * along < radius * radius ? 1 : 0;
+                }
+            sum += double{beams.flux(b, j)} * met / all;
+        }
+    return sum;
+}
+
+TEST(ShadowBeams, WideBeamsAreStoppedWhereTheirOwnRaysAre) {
+    ShadowPool pool;
+    pool.waves = sines({{.12, 4, 0}, {.1, 3, 90}});
+    pool.beams.grid = {5, 4};
+    for (const double along : {0.0, .8, 1.6, 2.4, 3.2}) {
+        const glm::dvec3 centre{.3 + along, 1.1 + .4 * along, -1.6};
+        pool.beams.objects = objects_of({ball(radius, centre)});
+        const Beams beams = pool.made();
+        EXPECT_NEAR(beams.ledger.objects_w / taken_of_beams(pool.bare(), centre, 300), 1, 4e-3) << along;
     }
 }
 

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <numbers>
 
-#include "caustics/kernels/optics.hpp"
+#include "caustics/kernels/splat.hpp"
 #include "caustics/relief.hpp"
 #include "caustics/spectral_floor.hpp"
 #include "sim/error.hpp"
@@ -75,6 +75,36 @@ TEST(Splat, TheShadowOfAWallIsSharpAndTheOtherWallHasNoSeam) {
     }
     EXPECT_NEAR(map.ledger.outside_w, still * 4 * shadow, 1e-3 * still * 16);
     EXPECT_LT(map.ledger.closure(), 1e-6);
+}
+
+// The covariance of a splat is that of the landed Gaussian, cut off at its reach (1 % less), and of the pixels.
+TEST(Splat, ASplatsPixelsHaveItsPowerItsMiddleAndItsCovariance) {
+    using f64::real2;
+    for (const auto& [a, b] : {std::pair{real2(1, 0), real2(0, 1)},
+                               {real2(3, 1), real2(-1, 2)},
+                               {real2(0.6, 2.5), real2(0.3, -1.5)},
+                               {real2(2, 2), real2(1.8, 2.2)}}) {
+        const f64::SplatShape shape = f64::landed_splat(a, b, real2(0, 0), real2(0, 0));
+        const glm::dvec2 centre{0.31, 0.74};
+        double power = 0, xx = 0, xy = 0, yy = 0;
+        glm::dvec2 middle{0, 0};
+        for (int j = -30; j <= 30; ++j)
+            for (int i = -30; i <= 30; ++i) {
+                const double share = f64::splat_in_pixel(shape, glm::dvec2(i, j) - centre);
+                const glm::dvec2 at = glm::dvec2(i + .5, j + .5) - centre;
+                power += share;
+                middle += share * at;
+                xx += share * at.x * at.x;
+                xy += share * at.x * at.y;
+                yy += share * at.y * at.y;
+            }
+        const double v = f64::splat_deviation * f64::splat_deviation;
+        EXPECT_NEAR(power, 1, 1e-6);
+        EXPECT_NEAR(glm::length(middle), 0, 0.01);
+        EXPECT_NEAR(xx, v * (a.x * a.x + b.x * b.x) + 1. / 12, 0.02 * xx);
+        EXPECT_NEAR(yy, v * (a.y * a.y + b.y * b.y) + 1. / 12, 0.02 * yy);
+        EXPECT_NEAR(xy, v * (a.x * a.y + b.x * b.y), 0.02 * std::sqrt(xx * yy));
+    }
 }
 
 struct Measured {

@@ -101,13 +101,13 @@ TEST_F(Outputs, TheLedgerHasARowAFrameAndClosesInEach) {
         std::vector<double> v;
         std::istringstream numbers(line);
         for (std::string number; std::getline(numbers, number, ',');) v.push_back(std::stod(number));
-        ASSERT_EQ(v.size(), 21U);
-        for (const std::size_t first : {1U, 11U}) {
+        ASSERT_EQ(v.size(), 23U);
+        for (const std::size_t first : {1U, 12U}) {
             // incident + entered = all the others but the closure itself.
             double out = 0;
-            for (std::size_t k = first + 2; k < first + 9; ++k) out += v[k];
+            for (std::size_t k = first + 2; k < first + 10; ++k) out += v[k];
             EXPECT_NEAR(out, v[first] + v[first + 1], 1e-4 * v[first]);
-            EXPECT_LT(v[first + 9], 1e-4);
+            EXPECT_LT(v[first + 10], 1e-4);
             EXPECT_NEAR(v[first + 3], 3 * v[first + 4], 1e-9 * v[first]) << "absorbed to scattered as 0.3 to 0.1";
             EXPECT_NEAR(v[first], 1000, 1) << "1 m2 of sun overhead";
         }

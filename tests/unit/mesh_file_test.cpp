@@ -51,6 +51,11 @@ double volume_of(const Mesh& mesh) {
 const glm::dvec3 corners[8]{{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {0, 2, 0}, {0, 0, 3}, {1, 0, 3}, {1, 2, 3}, {0, 2, 3}};
 const int faces[6][4]{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
 
+std::string with(const std::string& text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    return fmt::format("{}{}{}", text.substr(0, at), to, text.substr(at + from.size()));
+}
+
 std::string obj() {
     std::string text = "# a box\no box\n";
     for (const glm::dvec3& p : corners) text += fmt::format("v {} {} {}\n", p.x, p.y, p.z);
@@ -171,14 +176,10 @@ TEST_F(MeshFile, WhatIsNoMeshIsRefusedByName) {
     expect("f.obj", std::string("v 0 0 0\0", 8), "is no text");
     expect("g.obj", "v 0 0 0\nv 1 0 nan\nv 0 1 0\nf 1 2 3\n", "");
     expect("a.ply", "solid", "does not begin with \"ply\"");
-    std::string claims = ply();
-    claims.replace(claims.find("vertex 8"), 8, "vertex 4000000000");
-    expect("b.ply", claims, "claims more elements than its bytes can hold");
+    expect("b.ply", with(ply(), "vertex 8", "vertex 4000000000"), "claims more elements than its bytes can hold");
     expect("c.ply", ply().substr(0, ply().size() - 20), "is cut short");
     expect("d.ply", binary_ply().substr(0, binary_ply().size() - 5), "is cut short");
-    std::string far = ply();
-    far.replace(far.rfind("7\n"), 1, "9");
-    expect("e.ply", far, "names corner 9 of 8");
+    expect("e.ply", with(ply(), " 7\n", " 9\n"), "names a corner that is none of its 8");
     expect("a.stl", "solid nothing\nendsolid nothing\n", "has no triangle");
     expect("b.stl", binary_stl().substr(0, 300), "claims 12 triangles, more than its 300 bytes can hold");
     expect("c.stl", "short", "is cut short");
