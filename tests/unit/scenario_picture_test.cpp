@@ -68,7 +68,7 @@ TEST(ScenarioPicture, WhatDoesNotGoTogetherIsRejected) {
         {"no estimate", "[caustics.floor]\n[picture]\noverlay = \"error\"\n",
          "pool.toml:7:11: picture.overlay:", "accuracy.estimate = true"},
         {"truth", "[caustics.floor]\nmethod = \"truth\"\n[accuracy]\nestimate = true\n[picture]\noverlay = \"error\"\n",
-         "pool.toml:10:11: picture.overlay:", "method two-pass"},
+         "pool.toml:10:11: picture.overlay:", "another method"},
         {"upside down", "[picture]\noverlay = \"elevation\"\nrange_low = 1.0\nrange_high = 0.5\n",
          "pool.toml:8:14: picture.range_high:", "> picture.range_low = 1"},
     };
