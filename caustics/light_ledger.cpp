@@ -33,6 +33,18 @@ LightLedger& LightLedger::operator+=(const LightLedger& other) {
     return *this;
 }
 
+FloorLedger& operator+=(FloorLedger& to, const FloorLedger& from) {
+    to.incident_w += from.incident_w;
+    to.reflected_w += from.reflected_w;
+    to.extinguished_w += from.extinguished_w;
+    to.floor_w += from.floor_w;
+    to.outside_w += from.outside_w;
+    to.lost_w += from.lost_w;
+    to.objects_w += from.objects_w;
+    to.entered_w += from.entered_w;
+    return to;
+}
+
 LightLedger LightLedger::scaled(double by) const {
     return {incident_w * by, entered_w * by, reflected_w * by, absorbed_w * by, scattered_w * by,
             floor_w * by,    walls_w * by,   outside_w * by,   objects_w * by,  lost_w * by};

@@ -25,6 +25,8 @@ struct LightLedger {
     LightLedger scaled(double by) const;
 };
 
+FloorLedger& operator+=(FloorLedger& to, const FloorLedger& from);
+
 /// What the water extinguishes is absorbed or scattered in the proportion of the two coefficients.
 LightLedger light_ledger(const FloorLedger& ledger, const WaterOptics& optics);
 LightLedger light_ledger(const BeamLedger& ledger, const WaterOptics& optics);

@@ -10,6 +10,7 @@
 #include "caustics/kernels/optics.hpp"
 #include "caustics/kernels/surface_lookup.hpp"
 #include "caustics/landed_corner.hpp"
+#include "caustics/light_ledger.hpp"
 #include "caustics/object_shadows.hpp"
 #include "sim/error.hpp"
 
@@ -257,15 +258,6 @@ class ReliefLight {
     bool flat_ = false;
 };
 
-void add(const FloorLedger& from, FloorLedger& to) {
-    to.incident_w += from.incident_w;
-    to.reflected_w += from.reflected_w;
-    to.extinguished_w += from.extinguished_w;
-    to.outside_w += from.outside_w;
-    to.objects_w += from.objects_w;
-    to.entered_w += from.entered_w;
-}
-
 class ReliefFloor final : public FloorMapper {
   public:
     explicit ReliefFloor(ReliefSettings settings) : s_(std::move(settings)), shadows_(s_.floor) { validate(s_.floor); }
@@ -290,7 +282,7 @@ class ReliefFloor final : public FloorMapper {
             const Part part = light.carry_rows(mesh, shadows, begin, std::min(mesh.end.y, begin + band));
 #pragma omp ordered
             {
-                add(part.ledger, map.ledger);
+                map.ledger += part.ledger;
                 for (int j = 0; j < part.power_w.ny(); ++j) {
                     const int row = (((part.first_row + j) % plan.height) + plan.height) % plan.height;
                     for (int i = 0; i < plan.width; ++i) power(i, row) += part.power_w(i, j);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "caustics/light_ledger.hpp"
 #include "sim/error.hpp"
 
 namespace waterlight {
@@ -34,17 +35,6 @@ void add(const Field<float>& from, Field<float>& to) {
     for (std::ptrdiff_t i = 0; i < count; ++i) b[i] += a[i];
 }
 
-void add(const FloorLedger& from, FloorLedger& to) {
-    to.incident_w += from.incident_w;
-    to.reflected_w += from.reflected_w;
-    to.extinguished_w += from.extinguished_w;
-    to.floor_w += from.floor_w;
-    to.outside_w += from.outside_w;
-    to.objects_w += from.objects_w;
-    to.lost_w += from.lost_w;
-    to.entered_w += from.entered_w;
-}
-
 }  // namespace
 
 SpectralFloor::SpectralFloor(const FloorSettings& settings, const std::vector<Band>& bands, const FloorMaker& make) {
@@ -71,7 +61,7 @@ void SpectralFloor::compute(const Surface& surface, FloorMap& sum) {
             std::copy_n(map.irradiance.data(), map.irradiance.size(), sum.irradiance.data());
         else
             add(map.irradiance, sum.irradiance);
-        add(map.ledger, sum.ledger);
+        sum.ledger += map.ledger;
         sum.window.samples = std::max(sum.window.samples, map.window.samples);
         sum.window.channels = std::max(sum.window.channels, map.window.channels);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "caustics/light_ledger.hpp"
 #include "caustics/objects/repeated_objects.hpp"
 #include "caustics/photons/photon_starts.hpp"
 
@@ -30,17 +31,6 @@ class SceneTracer final : public PhotonTracer {
     std::unique_ptr<PhotonStarts> starts_;
     PhotonFollower follower_;
 };
-
-void add(const FloorLedger& from, FloorLedger& to) {
-    to.incident_w += from.incident_w;
-    to.reflected_w += from.reflected_w;
-    to.extinguished_w += from.extinguished_w;
-    to.floor_w += from.floor_w;
-    to.outside_w += from.outside_w;
-    to.lost_w += from.lost_w;
-    to.objects_w += from.objects_w;
-    to.entered_w += from.entered_w;
-}
 
 /// What of the objects is in the domain, those that periodic sides bring in among them, where they are at the time.
 std::shared_ptr<const ObjectSet> within(std::shared_ptr<const ObjectSet> set, const Surface& surface) {
@@ -105,7 +95,7 @@ void run_pass(const PhotonTracer& tracer, std::int64_t photons, int pass, const 
 #pragma omp ordered
             {
                 for (const PhotonDeposit& deposit : deposits) out.data()[deposit.pixel] += deposit.value;
-                add(tally.ledger, ledger);
+                ledger += tally.ledger;
             }
         }
     }

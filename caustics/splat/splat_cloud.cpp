@@ -1,17 +1,13 @@
 #include "caustics/splat/splat_cloud.hpp"
 
+#include "caustics/light_ledger.hpp"
+
 #include <cmath>
 
 namespace waterlight {
 
 void FlightAccount::add(const FlightAccount& o) {
-    ledger.incident_w += o.ledger.incident_w;
-    ledger.reflected_w += o.ledger.reflected_w;
-    ledger.extinguished_w += o.ledger.extinguished_w;
-    ledger.outside_w += o.ledger.outside_w;
-    ledger.objects_w += o.ledger.objects_w;
-    ledger.lost_w += o.ledger.lost_w;
-    ledger.entered_w += o.ledger.entered_w;
+    ledger += o.ledger;
     report.vertices += o.report.vertices;
     report.not_converged += o.report.not_converged;
     report.missed += o.report.missed;
