@@ -45,7 +45,9 @@ void await_files(const fs::path& folder, int files) {
         const fs::directory_iterator all(folder / "surface", none_yet);
         return none_yet ? 0 : static_cast<int>(std::distance(begin(all), end(all)));
     };
-    while (count() < files) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    // A writer that has stopped by itself writes no more of them; the kill finds that out.
+    constexpr int most_waits = 20000;
+    for (int k = 0; k < most_waits && count() < files; ++k) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
 void write_and_kill(const fs::path& folder, Compression compression, Moment moment) {
