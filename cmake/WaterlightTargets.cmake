@@ -37,3 +37,17 @@ function(waterlight_library name)
     target_link_libraries(waterlight_${name} PRIVATE $<BUILD_INTERFACE:waterlight_flags>)
     set_property(GLOBAL APPEND PROPERTY WATERLIGHT_LIBRARIES waterlight_${name})
 endfunction()
+
+# waterlight_precompile(TARGET [HEADER...]): what most of its sources include (and HEADER) is compiled once.
+# waterlight_precompile(TARGET REUSE_FROM OTHER): with what OTHER compiled.
+# Not for Clang, which has the sanitizers and the fuzzers: there the sources must stand on their own.
+function(waterlight_precompile target)
+    if(NOT CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+        return()
+    endif()
+    if("${ARGV1}" STREQUAL REUSE_FROM)
+        target_precompile_headers(${target} ${ARGN})
+    else()
+        target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp ${ARGN})
+    endif()
+endfunction()

@@ -195,7 +195,7 @@ std::vector<std::string> Decision::reasons() const {
     const Forecast& c = choice();
     std::vector<std::string> lines;
     if (c.model == ModelChoice::prescribed) {
-        lines.push_back("the scenario gives the surface by a formula or a file");
+        lines.emplace_back("the scenario gives the surface by a formula or a file");
         return lines;
     }
     lines.push_back(fmt::format("{}: {} is wrong by {} of a wavelength, of {} allowed; {} binds",

@@ -14,5 +14,6 @@ target_sources(waterlight_sim PRIVATE
 include(CheckCXXCompilerFlag)
 check_cxx_compiler_flag(-mprefer-vector-width=512 WATERLIGHT_WIDE_VECTORS)
 if(WATERLIGHT_NATIVE AND WATERLIGHT_WIDE_VECTORS)
-    set_source_files_properties(shallow_sweep.cpp PROPERTIES COMPILE_OPTIONS -mprefer-vector-width=512)
+    set_source_files_properties(shallow_sweep.cpp PROPERTIES
+        COMPILE_OPTIONS -mprefer-vector-width=512 SKIP_PRECOMPILE_HEADERS ON)
 endif()

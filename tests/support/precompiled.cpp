@@ -1,0 +1,1 @@
+// tests/CMakeLists.txt compiles the headers of this program for all tests.
