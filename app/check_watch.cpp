@@ -83,12 +83,9 @@ void CheckWatch::require_references(const FrameFields& fields) const {
     for (std::size_t i = 0; i < seen_.size(); ++i) {
         const Check& check = scenario_.checks[i];
         if (!check.reference || check.is_against_scenario()) continue;
-        try {
+        scenario_.origin.in_place(fmt::format("check[{}].reference", i), [&] {
             field_value(scenario_, check, check.at_s.value_or(scenario_.waves.duration_s), fields);
-        } catch (const InputError& error) {
-            const std::string key = fmt::format("check[{}].reference", i);
-            throw InputError(fmt::format("{}: {}: {}", scenario_.origin.place(key), key, error.what()));
-        }
+        });
     }
 }
 

@@ -38,4 +38,8 @@ void Origin::reject(std::string_view key, std::string_view found, std::string_vi
     waterlight::reject(place(key), key, found, allowed);
 }
 
+void Origin::reject(std::string_view key, const InputError& what) const {
+    throw InputError(fmt::format("{}: {}: {}", place(key), key, what.what()));
+}
+
 }  // namespace waterlight

@@ -28,6 +28,17 @@ struct Origin {
     /// The place of a key or, where it was not stated, of the closest section that was.
     std::string place(std::string_view key) const;
     [[noreturn]] void reject(std::string_view key, std::string_view found, std::string_view allowed) const;
+    /// What a part of the program says against a key or section, with its place: throws InputError("PLACE: KEY: WHAT").
+    [[noreturn]] void reject(std::string_view key, const InputError& what) const;
+    /// Does work for a key or section; what is refused there names it.
+    template <class Work>
+    auto in_place(std::string_view key, Work work) const {
+        try {
+            return work();
+        } catch (const InputError& error) {
+            reject(key, error);
+        }
+    }
 };
 
 }  // namespace waterlight
