@@ -7,5 +7,6 @@ waterlight_test(rewrite_test
     SOURCES unit/rewrite_test.cpp
     LIBRARIES waterlight::scenarios tomlplusplus::tomlplusplus fmt::fmt)
 target_compile_definitions(rewrite_test PRIVATE WATERLIGHT_SOURCE="${PROJECT_SOURCE_DIR}")
-waterlight_test(session_test SOURCES unit/session_test.cpp LIBRARIES waterlight_app)
+waterlight_test(session_test
+    SOURCES unit/session_test.cpp unit/session_threads_test.cpp unit/session_edits_test.cpp LIBRARIES waterlight_app)
 target_compile_definitions(session_test PRIVATE WATERLIGHT_SOURCE="${PROJECT_SOURCE_DIR}")

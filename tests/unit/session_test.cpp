@@ -1,78 +1,15 @@
-// The running scenario that a person plays with: what its commands do, that it is the same each time, and that nobody
-// waits for it.
-#include <gtest/gtest.h>
+// The running scenario that a person plays with: what its commands do, and that it is the same each time.
+#include "tests/unit/session_support.hpp"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <functional>
-#include <set>
 #include <thread>
 
-#include "app/view/edits.hpp"
-#include "app/view/session.hpp"
-#include "scenarios/reader.hpp"
 #include "scenarios/resolve.hpp"
 #include "sim/error.hpp"
 
-namespace waterlight {
+namespace waterlight::test {
 namespace {
-
-namespace fs = std::filesystem;
-
-const std::string pool = R"(# A small pool.
-title = "pool"
-[domain]
-size_m = [2.0, 1.5]
-cells = [48, 36]
-depth_m = 0.8
-[waves]
-model = "airy"
-boundary = { x = "wall", y = "wall" }
-duration_s = 1.0
-[light]
-elevation_deg = 70.0  # high
-[caustics.floor]
-pixels = [40, 30]
-)";
-
-const DeviceWish cpu{Backend::cpu, "", false};
-const SessionSettings by_hand{.frame_s = 1.0 / 30, .plays = false, .estimate_every = 10};
-
-class SessionTest : public ::testing::Test {
-  protected:
-    void SetUp() override {
-        folder_ =
-            fs::temp_directory_path() /
-            ("waterlight-session-" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    Scenario scenario(const std::string& text = pool, const std::vector<std::string>& overrides = {}) const {
-        const fs::path file = folder_ / "scenario.toml";
-        std::ofstream(file) << text;
-        return read_scenario(file, overrides);
-    }
-
-    fs::path folder_;
-};
-
-std::shared_ptr<const Snapshot> after(const Session& session, Session::Ticket command) {
-    session.await(command);
-    return session.latest();
-}
-
-bool is_same(const Field<float>& a, const Field<float>& b) { return std::ranges::equal(a.values(), b.values()); }
-
-double largest(const Field<float>& field) {
-    double most = 0;
-    for (const float v : field.values()) most = std::max(most, std::abs(static_cast<double>(v)));
-    return most;
-}
 
 TEST_F(SessionTest, BeginsWithTheFirstFrameAndStandsStill) {
     const Session session(scenario(), cpu, by_hand);
@@ -270,11 +207,11 @@ TEST_F(SessionTest, ResetBeginsAgainAndForgetsDrops) {
     const auto now = after(session, session.reset());
     EXPECT_EQ(now->time_s, 0);
     EXPECT_EQ(largest(now->surface.elevation), 0);
-    EXPECT_EQ(session.text(), pool);
+    EXPECT_EQ(session.text(), small_pool);
 }
 
 TEST_F(SessionTest, BeamsFollowTheCamera) {
-    Session session(scenario(pool + "[caustics.beams]\ngrid = [24, 18]\n"), cpu, by_hand);
+    Session session(scenario(small_pool + "[caustics.beams]\ngrid = [24, 18]\n"), cpu, by_hand);
     EXPECT_FALSE(session.latest()->has.beams);
     BeamView view{{{0.2, 0.75, -0.4}, {1.8, 0.75, -0.4}, 60, {64, 48}}, 1, 2};
     const auto below = after(session, session.look(view));
@@ -310,7 +247,7 @@ TEST_F(SessionTest, PartsAreAddedAndLeftOut) {
 }
 
 TEST_F(SessionTest, EstimatesItsErrors) {
-    Session session(scenario(pool, {"accuracy.estimate=true"}), cpu, by_hand);
+    Session session(scenario(small_pool, {"accuracy.estimate=true"}), cpu, by_hand);
     session.drop({1, 0.7}, 0.15, 0.01);
     const auto now = after(session, session.step());
     EXPECT_GT(now->estimates.floor_rmse, 0);
@@ -328,7 +265,7 @@ TEST_F(SessionTest, EstimatesItsErrors) {
 }
 
 TEST_F(SessionTest, ColoursComeAsRedGreenBlue) {
-    const Session session(scenario(pool, {"light.colour=rgb"}), cpu, by_hand);
+    const Session session(scenario(small_pool, {"light.colour=rgb"}), cpu, by_hand);
     const auto now = session.latest();
     const Scene scene = now->scene();
     ASSERT_EQ(now->bands.size(), 3U);
@@ -355,140 +292,11 @@ TEST_F(SessionTest, WavesThatBreakTheModelEndTheRunAndAResetBeginsAnother) {
 }
 
 TEST_F(SessionTest, WhatCannotBeBuiltIsThrown) {
-    Scenario broken = scenario(pool + "[caustics.walls]\n");
+    Scenario broken = scenario(small_pool + "[caustics.walls]\n");
     broken.walls->pixel_m = -1;
     EXPECT_THROW(Session(broken, cpu, by_hand), InputError);
     EXPECT_THROW(Session(scenario(), cpu, {.frame_s = 0}), InputError);
 }
 
-TEST_F(SessionTest, BuffersComeBack) {
-    Session session(scenario(), cpu, by_hand);
-    std::set<const Snapshot*> seen;
-    for (int n = 0; n < 50; ++n) seen.insert(after(session, session.step()).get());
-    EXPECT_LE(seen.size(), 4U);
-    std::shared_ptr<const Snapshot> kept = session.latest();
-    const std::uint64_t number = kept->number;
-    for (int n = 0; n < 5; ++n) session.await(session.step());
-    EXPECT_EQ(kept->number, number);
-}
-
-TEST_F(SessionTest, PlaysInRealTimeAndNeverMoreThanAFrameAhead) {
-    Session session(scenario(), cpu, {.frame_s = 0.01, .plays = true});
-    const auto start = std::chrono::steady_clock::now();
-    while (session.latest()->time_s < 0.2) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    EXPECT_GE(wall, 0.2 - 2 * 0.01);
-    EXPECT_GT(session.status().rate, 0);
-    EXPECT_LE(session.status().rate, 1.05);
-    session.await(session.pause());
-    const auto stopped = session.latest();
-    EXPECT_FALSE(session.status().plays);
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    EXPECT_EQ(session.latest()->time_s, stopped->time_s);
-}
-
-TEST_F(SessionTest, NobodyWaitsForASlowSolver) {
-    // The truth of a map takes long; the reader's calls, even so, are of a mutex held for copies of a pointer.
-    Session session(scenario(pool, {"caustics.floor.method=truth", "caustics.floor.tolerance=1e-6",
-                                    "caustics.floor.pixels=[160, 120]"}),
-                    cpu, {.frame_s = 0.01, .plays = true});
-    session.drop({1, 0.7}, 0.1, 0.01);
-    // Were a reader held up by the solver, each of its calls would find another frame.
-    Session::Ticket last = 0;
-    const std::uint64_t first = session.latest()->number;
-    std::uint64_t number = first;
-    int within_frame = 0, most_within_frame = 0;
-    for (int n = 0; n < 500; ++n) {
-        const std::uint64_t seen = session.latest()->number;
-        last = session.drop({0.5, 0.5}, 0.1, 1e-4);
-        within_frame = seen == number ? within_frame + 1 : 0;
-        most_within_frame = std::max(most_within_frame, within_frame);
-        number = seen;
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    EXPECT_GT(most_within_frame, 20);
-    session.await(last);
-    EXPECT_GT(session.latest()->number, first);
-    EXPECT_LT(session.status().rate, 1);
-    EXPECT_EQ(session.status().refusal, "");
-}
-
-TEST_F(SessionTest, ManyHandsAtOnce) {
-    Session session(scenario(), cpu, {.frame_s = 0.002, .plays = true});
-    std::vector<std::thread> hands;
-    for (int h = 0; h < 3; ++h)
-        hands.emplace_back([&session, h] {
-            for (int n = 0; n < 40; ++n) {
-                session.drop({0.3 + 0.4 * h, 0.6}, 0.1, 1e-3);
-                session.sun(40 + n % 30, 10 * h);
-                if (n % 20 == 0)
-                    session.set({n % 40 == 0 ? "caustics.floor.pixels=[20, 16]" : "domain.cells=[40, 30]"});
-                const auto seen = session.latest();
-                volatile float value = seen->surface.elevation(3, 3) + seen->floor.irradiance(2, 2);
-                (void)value;
-                (void)session.status();
-                (void)session.text();
-            }
-        });
-    for (std::thread& hand : hands) hand.join();
-    session.await(session.pause());
-    EXPECT_EQ(session.status().failure, "");
-    EXPECT_EQ(session.status().refusal, "");
-}
-
-class Shipped : public ::testing::TestWithParam<fs::path> {};
-
-TEST_P(Shipped, IsReadBackAsItWasSaved) {
-    Scenario original;
-    try {
-        original = read_open_scenario(GetParam());
-    } catch (const MissingData& missing) {
-        GTEST_SKIP() << missing.what();
-    }
-    Edits edits(original);
-    edits.set(edits.with({"light.elevation_deg=47.25", "light.azimuth_deg=-12.5"}));
-    edits.add({{0.1, 0.2}, 0.3, 0.04, 0.5});
-    const fs::path file = fs::temp_directory_path() / ("waterlight-saved-" + GetParam().filename().string());
-    edits.save(original, file);
-    const Scenario saved = parse_scenario(
-        [&] {
-            std::ifstream stream(file);
-            return std::string(std::istreambuf_iterator<char>(stream), {});
-        }(),
-        file);
-    EXPECT_EQ(saved.light.elevation_deg, 47.25);
-    EXPECT_EQ(saved.light.azimuth_deg, -12.5);
-    ASSERT_EQ(saved.waves.sources.size(), original.waves.sources.size() + 1);
-    const Drop drop = std::get<Drop>(saved.waves.sources.back());
-    EXPECT_EQ(drop.at_m, glm::dvec2(0.1, 0.2));
-    EXPECT_EQ(drop.time_s, 0.5);
-    // All else is as it was: without what was set it is the same text.
-    EXPECT_EQ(saved.title, original.title);
-    EXPECT_EQ(saved.domain.cells, original.domain.cells);
-    EXPECT_EQ(saved.checks.size(), original.checks.size());
-    EXPECT_EQ(Edits(original).text(original), original.origin.text);
-    if (original.waves.buoy || original.waves.file || original.domain.bathymetry) {
-        Scenario found = saved;
-        EXPECT_NO_THROW(find_data(found));
-        EXPECT_EQ(data_files(found), data_files(original));
-    }
-    fs::remove(file);
-}
-
-std::vector<fs::path> shipped() {
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(WATERLIGHT_SOURCE "/scenarios"))
-        if (entry.path().extension() == ".toml" && entry.path().parent_path().filename() != "refused")
-            files.push_back(entry.path());
-    std::ranges::sort(files);
-    return files;
-}
-
-INSTANTIATE_TEST_SUITE_P(Scenarios, Shipped, ::testing::ValuesIn(shipped()), [](const auto& test) {
-    std::string name = test.param.parent_path().filename().string() + "_" + test.param.stem().string();
-    std::ranges::replace(name, '-', '_');
-    return name;
-});
-
 }  // namespace
-}  // namespace waterlight
+}  // namespace waterlight::test
