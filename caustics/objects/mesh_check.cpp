@@ -1,17 +1,13 @@
 // What VTK's readers of meshes take on trust (9.1), checked before they see it.
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
-#include <cstring>
 #include <map>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "caustics/objects/mesh_file.hpp"
-#include "sim/error.hpp"
+#include "caustics/objects/mesh_text.hpp"
 
 namespace waterlight {
 
@@ -19,62 +15,6 @@ namespace {
 
 constexpr std::size_t longest_line = 4000;  // of the readers' buffers
 constexpr std::size_t most_corners = 255;   // of a polygon
-
-[[noreturn]] void reject(const std::filesystem::path& file, const std::string& why) {
-    throw InputError(fmt::format("{}: {}", file.string(), why));
-}
-
-/// Takes a line off the front; without its end.
-std::string_view take_line(std::string_view& text) {
-    const std::size_t end = text.find('\n');
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    return line;
-}
-
-/// Takes a word off the front; empty where there is none.
-std::string_view take_word(std::string_view& line) {
-    constexpr std::string_view blanks = " \t\r\v\f";
-    line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
-    const std::string_view word = line.substr(0, line.find_first_of(blanks));
-    line.remove_prefix(word.size());
-    return word;
-}
-
-template <class Number>
-std::optional<Number> number_in(std::string_view word) {
-    Number n{};
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), n);
-    return error == std::errc() && end == word.data() + word.size() ? std::optional(n) : std::nullopt;
-}
-
-bool is_number(std::string_view word) {
-    if (!word.empty() && word.front() == '+') word.remove_prefix(1);
-    return number_in<double>(word).has_value();
-}
-
-// .obj
-
-struct ObjCounts {
-    std::int64_t v = 0, vt = 0, vn = 0;
-};
-
-/// "7", "7/3", "7//2", "7/3/2", each from 1 or back from -1.
-bool is_corner(std::string_view word, const ObjCounts& had) {
-    const std::int64_t counts[] = {had.v, had.vt, had.vn};
-    for (int part = 0; part < 3; ++part) {
-        const std::size_t slash = word.find('/');
-        const std::string_view digits = word.substr(0, slash);
-        if (!digits.empty() || part != 1) {
-            const auto n = number_in<std::int64_t>(digits);
-            if (!n || *n == 0 || *n > counts[part] || -*n > counts[part]) return false;
-        }
-        if (slash == std::string_view::npos) return true;
-        word.remove_prefix(slash + 1);
-    }
-    return false;
-}
 
 // .ply
 
@@ -122,7 +62,7 @@ class PlyChecker {
 
   private:
     void require(bool holds, const std::string& otherwise) const {
-        if (!holds) reject(file_, otherwise);
+        if (!holds) reject_mesh(file_, otherwise);
     }
 
     void read_header() {
@@ -245,7 +185,7 @@ class PlyChecker {
         require(line.size() <= longest_line, "has a line that is too long");
         const auto next = [&] {
             const std::string_view word = take_word(line);
-            require(is_number(word), "has no number where one must be");
+            require(decimal_in(word).has_value(), "has no number where one must be");
             return word;
         };
         Row row;
@@ -305,35 +245,7 @@ class PlyChecker {
     PlyHeader header_;
 };
 
-bool is_printable(std::string_view text) {
-    return std::ranges::all_of(text, [](unsigned char c) { return c >= 0x20 || c == '\n' || c == '\r' || c == '\t'; });
-}
-
 }  // namespace
-
-void check_obj(const std::filesystem::path& file, std::string_view text) {
-    if (!is_printable(text)) reject(file, "is no text, as an .obj is");
-    ObjCounts had;
-    for (std::size_t number = 1; !text.empty(); ++number) {
-        std::string_view line = take_line(text);
-        const auto fail = [&](const char* what) { reject(file, fmt::format("line {}: {}", number, what)); };
-        if (line.size() > longest_line) fail("it is too long");
-        if (!line.empty() && line.back() == '\\') fail("it goes on in the next, which is not read");
-        const std::string_view word = take_word(line);
-        std::size_t wanted = word == "v" || word == "vn" ? 3 : word == "vt" ? 1 : 0;
-        for (; wanted > 0; --wanted)
-            if (!is_number(take_word(line))) fail("found no number; allowed: as many as its first word wants");
-        had.v += word == "v" ? 1 : 0;
-        had.vt += word == "vt" ? 1 : 0;
-        had.vn += word == "vn" ? 1 : 0;
-        if (word != "f" && word != "l" && word != "p") continue;
-        std::size_t corners = 0;
-        for (std::string_view corner = take_word(line); !corner.empty(); corner = take_word(line), ++corners)
-            if (!is_corner(corner, had)) fail("it names a corner that is not there");
-        if (corners > most_corners) fail("it has too many corners");
-        if (word == "f" && corners < 3) fail("it has fewer than three corners");
-    }
-}
 
 void check_ply(const std::filesystem::path& file, std::string_view bytes) { PlyChecker(file, bytes).check(); }
 
@@ -341,12 +253,12 @@ void check_stl(const std::filesystem::path& file, std::string_view bytes) {
     constexpr std::size_t header = 80, triangle = 50;
     std::string_view begin = bytes;
     if (take_word(begin) == "solid" && is_printable(bytes)) return;
-    if (bytes.size() < header + 4) reject(file, "is cut short");
+    if (bytes.size() < header + 4) reject_mesh(file, "is cut short");
     std::uint32_t count = 0;
     for (std::size_t k = 0; k < 4; ++k)
         count |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[header + k])) << (8 * k);
     if ((bytes.size() - header - 4) / triangle < count)
-        reject(file, fmt::format("claims {} triangles, more than its {} bytes can hold", count, bytes.size()));
+        reject_mesh(file, fmt::format("claims {} triangles, more than its {} bytes can hold", count, bytes.size()));
 }
 
 }  // namespace waterlight

@@ -4,11 +4,13 @@
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
+#include <vtkCellData.h>
 #include <vtkCleanPolyData.h>
 #include <vtkExecutive.h>
 #include <vtkNew.h>
-#include <vtkOBJReader.h>
 #include <vtkPLYReader.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSTLReader.h>
 #include <vtkTriangleFilter.h>
@@ -21,26 +23,22 @@
 #include <glm/geometric.hpp>
 #include <iterator>
 
-#include "sim/error.hpp"
+#include "caustics/objects/mesh_text.hpp"
 
 namespace waterlight {
 
 namespace {
 
-[[noreturn]] void reject(const std::filesystem::path& file, const std::string& why) {
-    throw InputError(fmt::format("{}: {}", file.string(), why));
-}
-
 std::string bytes_of(const std::filesystem::path& file) {
     constexpr std::uintmax_t most = std::uintmax_t{1} << 30;
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(file, error);
-    if (error) reject(file, "cannot be read: " + error.message());
-    if (size == 0) reject(file, "is empty");
-    if (size > most) reject(file, fmt::format("has {} bytes; allowed: at most {}", size, most));
+    if (error) reject_mesh(file, "cannot be read: " + error.message());
+    if (size == 0) reject_mesh(file, "is empty");
+    if (size > most) reject_mesh(file, fmt::format("has {} bytes; allowed: at most {}", size, most));
     std::ifstream stream(file, std::ios::binary);
     std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-    if (bytes.size() != size) reject(file, "cannot be read whole");
+    if (bytes.size() != size) reject_mesh(file, "cannot be read whole");
     return bytes;
 }
 
@@ -50,9 +48,9 @@ void require_sound(const std::filesystem::path& file, vtkPolyData& data) {
     for (vtkIdType k = 0; k < points; ++k) {
         const double* p = data.GetPoint(k);
         if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
-            reject(file, fmt::format("corner {} is not finite", k));
+            reject_mesh(file, fmt::format("corner {} is not finite", k));
     }
-    if (data.GetNumberOfPolys() == 0 && data.GetNumberOfStrips() == 0) reject(file, "has no triangle");
+    if (data.GetNumberOfPolys() == 0 && data.GetNumberOfStrips() == 0) reject_mesh(file, "has no triangle");
     for (vtkCellArray* cells : {data.GetPolys(), data.GetStrips()}) {
         const auto walk = vtk::TakeSmartPointer(cells->NewIterator());
         for (walk->GoToFirstCell(); !walk->IsDoneWithTraversal(); walk->GoToNextCell()) {
@@ -61,7 +59,7 @@ void require_sound(const std::filesystem::path& file, vtkPolyData& data) {
             walk->GetCurrentCell(count, corners);
             for (vtkIdType k = 0; k < count; ++k)
                 if (corners[k] < 0 || corners[k] >= points)
-                    reject(file, fmt::format("names corner {} of {}", corners[k], points));
+                    reject_mesh(file, fmt::format("names corner {} of {}", corners[k], points));
         }
     }
 }
@@ -82,9 +80,27 @@ vtkSmartPointer<vtkPolyData> read_by(const std::filesystem::path& file) {
     }
     reader->SetFileName(file.c_str());
     reader->Update();
-    if (!complaint.empty()) reject(file, complaint);
+    if (!complaint.empty()) reject_mesh(file, complaint);
     vtkSmartPointer<vtkPolyData> data = reader->GetOutput();
     require_sound(file, *data);
+    // Filters copy what lies at the corners, of which a reader may have too little.
+    data->GetPointData()->Initialize();
+    data->GetCellData()->Initialize();
+    return data;
+}
+
+vtkSmartPointer<vtkPolyData> poly_data(const Polygons& polygons) {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (const glm::dvec3& p : polygons.corners) points->InsertNextPoint(p.x, p.y, p.z);
+    vtkNew<vtkCellArray> faces;
+    for (const std::vector<int>& face : polygons.faces) {
+        faces->InsertNextCell(static_cast<int>(face.size()));
+        for (const int corner : face) faces->InsertCellPoint(corner);
+    }
+    const auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->SetPoints(points);
+    data->SetPolys(faces);
     return data;
 }
 
@@ -134,12 +150,12 @@ Mesh read_mesh(const std::filesystem::path& file, double scale, bool smooth) {
     std::string ending = file.extension().string();
     std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
     const bool known = ending == ".obj" || ending == ".ply" || ending == ".stl";
-    if (!known) reject(file, fmt::format("ends in \"{}\"; allowed: .obj, .ply or .stl", ending));
+    if (!known) reject_mesh(file, fmt::format("ends in \"{}\"; allowed: .obj, .ply or .stl", ending));
     const std::string bytes = bytes_of(file);
     vtkSmartPointer<vtkPolyData> data;
     if (ending == ".obj") {
-        check_obj(file, bytes);
-        data = read_by<vtkOBJReader>(file);
+        data = poly_data(read_obj(file, bytes));
+        require_sound(file, *data);
     } else if (ending == ".ply") {
         check_ply(file, bytes);
         data = read_by<vtkPLYReader>(file);
@@ -148,7 +164,7 @@ Mesh read_mesh(const std::filesystem::path& file, double scale, bool smooth) {
         data = read_by<vtkSTLReader>(file);
     }
     Mesh mesh = mesh_of(*cleaned(*data), scale);
-    if (mesh.triangles.empty()) reject(file, "has no triangle with an area");
+    if (mesh.triangles.empty()) reject_mesh(file, "has no triangle with an area");
     if (smooth) add_normals(mesh);
     return mesh;
 }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <glm/vec3.hpp>
 #include <string_view>
+#include <vector>
 
 #include "caustics/objects/object.hpp"
 
@@ -15,9 +17,17 @@ namespace waterlight {
 /// triangle. Whether the surface is closed is for validate() to say.
 Mesh read_mesh(const std::filesystem::path& file, double scale = 1, bool smooth = false);
 
+/// Faces of any number of corners, each named from 0.
+struct Polygons {
+    std::vector<glm::dvec3> corners;
+    std::vector<std::vector<int>> faces;
+};
+
+/// Throws InputError naming file and line where the text is not that of an .obj.
+Polygons read_obj(const std::filesystem::path& file, std::string_view text);
+
 /// Throws InputError where what VTK's readers take on trust does not hold: they crash on numbers of corners or places
 /// of data that a file only claims.
-void check_obj(const std::filesystem::path& file, std::string_view text);
 void check_ply(const std::filesystem::path& file, std::string_view bytes);
 void check_stl(const std::filesystem::path& file, std::string_view bytes);
 

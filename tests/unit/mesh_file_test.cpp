@@ -185,6 +185,21 @@ TEST_F(MeshFile, WhatIsNoMeshIsRefusedByName) {
     expect("c.stl", "short", "is cut short");
 }
 
+// VTK's reader wrote beyond its arrays where some faces have textures and normals and others have none.
+TEST_F(MeshFile, FacesOfAnObjNameTheirCornersInAnyWay) {
+    const std::string points = "v 0 0 +0\nv 1 0 0 1 0.5 0.5 0.5\n  v 0 1 0\r\nv 0 0 1\nvn 0 0 1\nvt 0 0\nvt 1\n";
+    const Mesh mesh = read_mesh(write("tetra.obj", points + "g a\nf 1/2/1 3/1/1 2/1/1\nf 1//1 2//1 4//1\n"
+                                                            "f -3 -2 -1\nl 1 2\nf 1/ 4/1 3\n"));
+    EXPECT_EQ(mesh.corners_m.size(), 4U);
+    EXPECT_EQ(mesh.triangles.size(), 4U);
+    EXPECT_DOUBLE_EQ(volume_of(mesh), 1.0 / 6);
+    for (const char* face : {"1 2 5", "0 1 2", "1 2 -5", "1/3 2/1 3/1", "1//2 2//1 3//1", "1/-3 2 3", "1/1/1/1 2 3",
+                             "1 2 x", "1 2 9223372036854775808"}) {
+        const std::string said = refusal("wrong.obj", points + "f " + face + "\n");
+        EXPECT_NE(said.find("line 8: it names a corner that is not there"), std::string::npos) << face << ": " << said;
+    }
+}
+
 // What is closed in the file is for validate() to say.
 TEST_F(MeshFile, ABoxWithoutItsLidIsNotClosed) {
     std::string open = obj();
