@@ -21,6 +21,7 @@ if(WATERLIGHT_SANITIZE MATCHES "undefined")
     waterlight_sees(overflow "signed integer overflow")
 endif()
 if(WATERLIGHT_SANITIZE MATCHES "thread")
+    target_sources(session_test PRIVATE support/openmp_thread_0.cpp)
     waterlight_sees(race "ThreadSanitizer: data race")
     # And takes no order that OpenMP keeps for a race.
     add_test(NAME sanitizer_sees_order COMMAND sanitizer_canary order)
