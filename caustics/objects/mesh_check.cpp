@@ -245,14 +245,26 @@ class PlyChecker {
     PlyHeader header_;
 };
 
+/// vtksys::SystemTools::DetectFileType(): by the first 256 bytes, of which one in twenty may be others than these.
+bool is_text_to_vtk(std::string_view bytes) {
+    const std::string_view first = bytes.substr(0, 256);
+    const auto others = std::ranges::count_if(
+        first, [](unsigned char c) { return (c < 0x20 || c > 0x7f) && c != '\n' && c != '\r' && c != '\t'; });
+    return static_cast<double>(others) / static_cast<double>(first.size()) < 0.05;
+}
+
 }  // namespace
 
 void check_ply(const std::filesystem::path& file, std::string_view bytes) { PlyChecker(file, bytes).check(); }
 
 void check_stl(const std::filesystem::path& file, std::string_view bytes) {
+    if (is_text_to_vtk(bytes)) {
+        std::string_view begin = bytes;
+        if (take_word(begin) != "solid" || !is_printable(bytes))
+            reject_mesh(file, "is text, which in an .stl begins with \"solid\"");
+        return;
+    }
     constexpr std::size_t header = 80, triangle = 50;
-    std::string_view begin = bytes;
-    if (take_word(begin) == "solid" && is_printable(bytes)) return;
     if (bytes.size() < header + 4) reject_mesh(file, "is cut short");
     std::uint32_t count = 0;
     for (std::size_t k = 0; k < 4; ++k)

@@ -182,7 +182,12 @@ TEST_F(MeshFile, WhatIsNoMeshIsRefusedByName) {
     expect("e.ply", with(ply(), " 7\n", " 9\n"), "names a corner that is none of its 8");
     expect("a.stl", "solid nothing\nendsolid nothing\n", "has no triangle");
     expect("b.stl", binary_stl().substr(0, 300), "claims 12 triangles, more than its 300 bytes can hold");
-    expect("c.stl", "short", "is cut short");
+    expect("c.stl", "short", "is text, which in an .stl begins with \"solid\"");
+    expect("d.stl", std::string(83, '\0'), "is cut short");
+    // What VTK takes for binary by its first bytes, whatever it begins with: "loop" is a number of triangles there.
+    std::string odd = stl();
+    for (std::size_t k = 6; k < 60; k += 2) odd[k] = '\xec';
+    expect("e.stl", odd, " triangles, more than its ");
 }
 
 // VTK's reader wrote beyond its arrays where some faces have textures and normals and others have none.
