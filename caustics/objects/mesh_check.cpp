@@ -65,13 +65,21 @@ class PlyChecker {
         if (!holds) reject_mesh(file_, otherwise);
     }
 
+    /// VTK parts words by blanks and tabs alone, and goes astray where another character stands for one.
+    std::string_view next_line() {
+        const std::string_view line = take_line(rest_);
+        require(line.size() <= longest_line, "has a line that is too long");
+        require(std::ranges::all_of(line, [](unsigned char c) { return c >= 0x20 || c == '\t'; }),
+                "has a control character in its text");
+        return line;
+    }
+
     void read_header() {
         require(take_line(rest_) == "ply", "is no .ply: it does not begin with \"ply\"");
         read_format();
         while (true) {
             require(!rest_.empty(), "its header has no end");
-            std::string_view line = take_line(rest_);
-            require(line.size() <= longest_line, "a line of its header is too long");
+            std::string_view line = next_line();
             const std::string_view word = take_word(line);
             if (word == "end_header") return;
             if (word == "element")
@@ -84,7 +92,7 @@ class PlyChecker {
     }
 
     void read_format() {
-        std::string_view line = take_line(rest_);
+        std::string_view line = next_line();
         const std::string_view head = take_word(line), name = take_word(line), version = take_word(line);
         const bool known = name == "ascii" || name == "binary_little_endian" || name == "binary_big_endian";
         require(head == "format" && known && version == "1.0", "has no format that is known");
@@ -181,8 +189,7 @@ class PlyChecker {
     void check_line(const PlyElement& element) {
         // VTK frees the row before again where a line has no end.
         require(rest_.find('\n') != std::string_view::npos, "is cut short: a row has no end of line");
-        std::string_view line = take_line(rest_);
-        require(line.size() <= longest_line, "has a line that is too long");
+        std::string_view line = next_line();
         const auto next = [&] {
             const std::string_view word = take_word(line);
             require(decimal_in(word).has_value(), "has no number where one must be");

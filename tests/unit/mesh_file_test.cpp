@@ -180,6 +180,7 @@ TEST_F(MeshFile, WhatIsNoMeshIsRefusedByName) {
     expect("c.ply", ply().substr(0, ply().size() - 20), "is cut short");
     expect("d.ply", binary_ply().substr(0, binary_ply().size() - 5), "is cut short");
     expect("e.ply", with(ply(), " 7\n", " 9\n"), "names a corner that is none of its 8");
+    expect("f.ply", with(ply(), "property float z", "\fproperty float z"), "has a control character in its text");
     expect("a.stl", "solid nothing\nendsolid nothing\n", "has no triangle");
     expect("b.stl", binary_stl().substr(0, 300), "claims 12 triangles, more than its 300 bytes can hold");
     expect("c.stl", "short", "is text, which in an .stl begins with \"solid\"");
