@@ -44,7 +44,6 @@ class FrameStages {
     const FloorMap& map() const { return map_; }
     const WallStage* walls() const { return walls_ ? &*walls_ : nullptr; }
     const BeamStage* beams() const { return beams_ ? &*beams_ : nullptr; }
-    const AccuracyStage* accuracy() const { return accuracy_ ? &*accuracy_ : nullptr; }
     const PictureStage* picture() const { return picture_ ? &*picture_ : nullptr; }
 
     /// What was computed of this frame, but the picture and the ledgers.
