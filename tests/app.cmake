@@ -27,3 +27,7 @@ add_test(NAME package COMMAND ${CMAKE_COMMAND}
     -DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/package
     -P ${CMAKE_CURRENT_LIST_DIR}/package/install_and_use.cmake)
 set_tests_properties(package PROPERTIES TIMEOUT 600)
+
+# What ./waterlight does around a build.
+add_test(NAME start_script COMMAND /usr/bin/python3 ${CMAKE_CURRENT_LIST_DIR}/scenarios/start_script_test.py ${PROJECT_SOURCE_DIR})
+set_tests_properties(start_script PROPERTIES TIMEOUT 120)

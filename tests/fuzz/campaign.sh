@@ -7,9 +7,12 @@ root=$1 reader=$2 seconds=$3
 
 cd "$root/build/fuzz"
 mkdir -p "corpus/$reader"
+seeds=("$root/tests/fuzz/seeds/$reader"/*)
+[ "$reader" != scenario ] || mapfile -O "${#seeds[@]}" -t seeds < <(find "$root/scenarios" -name '*.toml')
+(IFS=,; echo "${seeds[*]}") >"$reader.seeds"
 status=0
 "tests/fuzz_$reader" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2048 -max_len=8192 -print_final_stats=1 \
-    -artifact_prefix="$reader-" "corpus/$reader" "$root/tests/fuzz/seeds/$reader" 2>&1 |
+    -artifact_prefix="$reader-" -seed_inputs=@"$reader.seeds" "corpus/$reader" 2>&1 |
     tee "$reader.log" | sed "s/^/$reader: /" || status=${PIPESTATUS[0]}
 
 times >"$reader.times"  # not in a pipe: there it would be those of another shell
@@ -17,4 +20,6 @@ cpu_s=$(tail -1 "$reader.times" | awk -F'[ms ]+' '{ printf "%.0f", 60 * ($1 + $3
 tried=$(sed -n 's/^stat::number_of_executed_units: *//p' "$reader.log")
 covered=$(sed -n 's/.* cov: \([0-9]*\) ft: \([0-9]*\) .*/\1 edges, \2 features/p' "$reader.log" | tail -1)
 printf '%s\t%s\t%s s\t%s inputs\t%s\texit %s\n' "$(date -u +%FT%TZ)" "$reader" "$cpu_s" "$tried" "$covered" "$status" >>campaigns.tsv
+awk -F'\t' -v reader="$reader" '$2 == reader { cpu_s += $3; tried += $4; runs += 1 }
+    END { printf "%s: in all %d s of CPU time and %d inputs, in %d campaigns\n", reader, cpu_s, tried, runs }' campaigns.tsv
 exit "$status"
