@@ -18,9 +18,17 @@ std::string in_one_line(std::string_view text) {
 
 }  // namespace
 
+std::string shortened(std::string_view text, std::size_t most_bytes) {
+    if (text.size() <= most_bytes) return std::string(text);
+    std::size_t end = most_bytes;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // not within a character
+    return fmt::format("{}...", text.substr(0, end));
+}
+
 void reject(std::string_view place, std::string_view key, std::string_view found, std::string_view allowed,
             std::string_view nearest) {
-    std::string message = fmt::format("{}: {}: found {}; allowed: {}", place, key, found, allowed);
+    std::string message =
+        fmt::format("{}: {}: found {}; allowed: {}", place, shortened(key), shortened(found), allowed);
     if (!nearest.empty()) message += fmt::format("; did you mean \"{}\"?", nearest);
     throw InputError(in_one_line(message));
 }

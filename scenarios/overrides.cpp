@@ -6,7 +6,7 @@
 #include <charconv>
 #include <optional>
 
-#include "scenarios/origin.hpp"
+#include "scenarios/toml_text.hpp"
 
 namespace waterlight {
 
@@ -61,6 +61,7 @@ std::vector<KeyStep> key_steps(const Override& o) {
     while (true) {
         const std::size_t dot = rest.find('.');
         steps.push_back(parse_step(rest.substr(0, dot), o));
+        if (steps.size() > most_key_parts) reject_key(o);
         if (dot == std::string_view::npos) return steps;
         rest.remove_prefix(dot + 1);
     }
@@ -68,7 +69,7 @@ std::vector<KeyStep> key_steps(const Override& o) {
 
 toml::table stated_value(const Override& o) {
     try {
-        toml::table parsed = toml::parse("value = " + o.raw);
+        toml::table parsed = parse_toml("value = " + o.raw);
         if (parsed.size() == 1) return parsed;
     } catch (const toml::parse_error&) {
         if (!o.raw.empty() && std::string_view("[{\"'").find(o.raw.front()) == std::string_view::npos)
@@ -85,7 +86,7 @@ bool Override::covers(std::string_view path) const {
 Override parse_override(const std::string& text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0)
-        reject("--set " + text, "--set", fmt::format("\"{}\"", text), key_form);
+        reject("--set " + shortened(text), "--set", fmt::format("\"{}\"", text), key_form);
     const auto trimmed = [](std::string s) {
         s.erase(0, s.find_first_not_of(" \t"));
         s.erase(s.find_last_not_of(" \t") + 1);

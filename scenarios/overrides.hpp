@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "scenarios/origin.hpp"
+
 namespace waterlight {
 
 /// One --set: where it goes and what it says.
@@ -15,7 +17,7 @@ struct Override {
     std::string key;   ///< before the first "="
     std::string raw;   ///< after it, as typed
 
-    std::string place() const { return "--set " + text; }
+    std::string place() const { return "--set " + shortened(text); }
     /// Whether `path` is this key or lies within it.
     bool covers(std::string_view path) const;
 };

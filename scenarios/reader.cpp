@@ -10,6 +10,7 @@
 #include "scenarios/memory.hpp"
 #include "scenarios/resolve.hpp"
 #include "scenarios/table_reader.hpp"
+#include "scenarios/toml_text.hpp"
 
 namespace waterlight {
 
@@ -37,9 +38,9 @@ std::string key_of_line(std::string_view text, std::size_t line) {
     return key.empty() || key.size() > 60 ? "TOML" : key;
 }
 
-toml::table parse_toml(std::string_view text, const std::filesystem::path& file) {
+toml::table parse_file(std::string_view text, const std::filesystem::path& file) {
     try {
-        return toml::parse(text);
+        return parse_toml(text);
     } catch (const toml::parse_error& error) {
         const toml::source_position at = error.source().begin;
         reject(fmt::format("{}:{}:{}", file.string(), at.line, at.column), key_of_line(text, at.line),
@@ -103,7 +104,7 @@ Scenario parse_scenario(std::string_view text, const std::filesystem::path& file
     scenario.origin.file = file;
     scenario.origin.text = text;
     scenario.origin.overrides = overrides;
-    toml::table root = parse_toml(text, file);
+    toml::table root = parse_file(text, file);
     std::vector<Override> parsed;
     for (const std::string& override : overrides) {
         parsed.push_back(parse_override(override));

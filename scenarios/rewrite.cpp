@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "scenarios/overrides.hpp"
+#include "scenarios/toml_text.hpp"
 
 namespace waterlight {
 
@@ -122,7 +123,7 @@ std::string joined(const std::string& path, const std::vector<KeyStep>& steps, s
 
 /// The text with one override laid over it in place, or what does not say the same.
 std::string laid_over(std::string_view text, const Override& o) {
-    const toml::table root = toml::parse(text), stated = stated_value(o);
+    const toml::table root = parse_toml(text), stated = stated_value(o);
     const toml::node& value = *stated.get("value");
     const std::vector<KeyStep> steps = key_steps(o);
     const Found found = find(root, steps);
@@ -161,7 +162,7 @@ std::string written_anew(const toml::table& root) {
 /// Whether a text says what the table says.
 bool says(std::string_view text, const toml::table& root) {
     try {
-        return toml::parse(text) == root;
+        return parse_toml(text) == root;
     } catch (const toml::parse_error&) {
         return false;
     }
@@ -170,7 +171,7 @@ bool says(std::string_view text, const toml::table& root) {
 }  // namespace
 
 std::string rewritten(std::string_view text, const std::vector<std::string>& overrides) {
-    toml::table root = toml::parse(text);
+    toml::table root = parse_toml(text);
     std::string changed(text);
     for (const std::string& each : overrides) {
         const Override override = parse_override(each);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "scenarios/origin.hpp"
 #include "scenarios/read_resolutions.hpp"
 
 namespace waterlight {
@@ -140,13 +141,6 @@ struct Reading {
     }
 };
 
-std::string shortened(std::string text) {
-    constexpr std::size_t longest = 60;
-    if (text.size() <= longest) return text;
-    text.resize(longest);
-    return text + "...";
-}
-
 std::string list_text(const toml::array& list) {
     constexpr std::size_t longest = 4;
     const bool nests = std::any_of(list.begin(), list.end(),
@@ -168,7 +162,7 @@ std::optional<std::string> read_value(const Key& key, const Target& target, cons
 std::string found_text(const toml::node& node) {
     if (const toml::table* table = node.as_table()) return fmt::format("a table of {}", table->size());
     if (const toml::array* list = node.as_array()) return list_text(*list);
-    if (node.is_string()) return fmt::format("\"{}\"", shortened(*node.value<std::string>()));
+    if (node.is_string()) return fmt::format("\"{}\"", shortened(*node.value<std::string_view>(), 60));
     if (node.is_floating_point() && !std::isfinite(*node.value<double>()))
         return fmt::format("{}, which is not finite", *node.value<double>());
     if (const toml::value<std::int64_t>* whole = node.as_integer()) return fmt::format("{}", whole->get());

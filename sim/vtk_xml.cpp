@@ -20,6 +20,28 @@ namespace waterlight {
 
 vtkStandardNewMacro(VtkXmlParser);
 
+void VtkXmlParser::StartElement(const char* name, const char** attributes) {
+    constexpr int deepest = 64, most_attributes = 256;
+    int count = 0;
+    for (const char** a = attributes; *a != nullptr; a += 2) ++count;
+    if (++depth_ > deepest) beyond_bounds_ = fmt::format("has elements {} deep within one another", depth_);
+    if (count > most_attributes) beyond_bounds_ = fmt::format("has an element with {} attributes", count);
+    const char* none[] = {nullptr};
+    const bool is_root = depth_ == 1;  // without which VTK falls
+    if (beyond_bounds_.empty() || is_root) {
+        vtkXMLDataParser::StartElement(name, beyond_bounds_.empty() ? attributes : none);
+        kept_ = depth_;
+    }
+}
+
+void VtkXmlParser::EndElement(const char* name) {
+    if (depth_ == kept_) {
+        vtkXMLDataParser::EndElement(name);
+        --kept_;
+    }
+    --depth_;
+}
+
 VtkXml::VtkXml(std::filesystem::path path, std::string_view type) : path_(std::move(path)) {
     std::error_code error;
     bytes_ = std::filesystem::file_size(path_, error);
@@ -35,6 +57,7 @@ VtkXml::VtkXml(std::filesystem::path path, std::string_view type) : path_(std::m
     parser_->AddObserver(vtkCommand::WarningEvent, listener_);
     parser_->SetStream(&file_);
     const bool parsed = parser_->Parse() != 0;
+    if (!parser_->beyond_bounds().empty()) reject(parser_->beyond_bounds());
     if (!parsed || !first_error_.empty()) reject("is not readable: " + complaint());
     if (attribute(root(), "type") != type) reject(fmt::format("is no VTK file of type \"{}\"", type));
     set_compressor();

@@ -15,11 +15,22 @@
 
 namespace waterlight {
 
-/// The parser, which keeps to itself where the appended data begin.
+/// The parser, which keeps to itself where the appended data begin. VTK's bounds neither how deep elements lie within
+/// one another, and falls on some hundred thousand, nor their attributes, each of which it compares with all before.
 class VtkXmlParser : public vtkXMLDataParser {
   public:
     static VtkXmlParser* New();
     vtkTypeInt64 appended_data_position() const { return AppendedDataPosition; }
+    /// What is beyond bounds, from which on elements are left out; empty: nothing.
+    const std::string& beyond_bounds() const { return beyond_bounds_; }
+
+  protected:
+    void StartElement(const char* name, const char** attributes) override;
+    void EndElement(const char* name) override;
+
+  private:
+    int depth_ = 0, kept_ = 0;  ///< elements that are open, and those of them that are not left out
+    std::string beyond_bounds_;
 };
 
 /// Elements and data of one file. vtkXMLImageDataReader, which stands on the same parser, takes missing data for zeros

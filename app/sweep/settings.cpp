@@ -56,7 +56,7 @@ Scenario read(const SweepOptions& options, const std::vector<std::string>& overr
     } catch (const InputError& error) {
         const std::string says = error.what(), set = "--set ";
         for (std::size_t i = options.overrides.size(); i < overrides.size(); ++i)
-            if (says.starts_with(set + overrides[i])) throw InputError("--vary " + says.substr(set.size()));
+            if (says.starts_with(set + shortened(overrides[i]))) throw InputError("--vary " + says.substr(set.size()));
         throw;
     }
 }

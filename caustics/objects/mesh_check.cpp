@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t longest_line = 4000;  // of the readers' buffers
 constexpr std::size_t most_corners = 255;   // of a polygon
+constexpr std::size_t most_parts = 256;     // of a header; each is compared with all before
 
 // .ply
 
@@ -110,6 +111,7 @@ class PlyChecker {
         element.rows = *rows;
         require(std::ranges::none_of(header_.elements, [&](const auto& e) { return e.name == element.name; }),
                 "has an element twice");
+        require(header_.elements.size() < most_parts, "has too many elements");
         header_.elements.push_back(element);
     }
 
@@ -130,6 +132,7 @@ class PlyChecker {
         require(!is_corners || !is_float(type), "names its corners by numbers that are not whole");
         require(std::ranges::find(header_.elements.back().names, name) == header_.elements.back().names.end(),
                 "has a property twice");
+        require(header_.elements.back().properties.size() < most_parts, "has an element of too many properties");
         header_.elements.back().properties.push_back(property);
         header_.elements.back().names.push_back(name);
     }

@@ -135,6 +135,31 @@ TEST(VtiReader, SaysWhatIsWrongWithAnImage) {
     EXPECT_NE(vti_complaint(folder / "folder.vti"), "");
 }
 
+TEST(VtiReader, RejectsElementsAndAttributesBeyondBoundsSilently) {
+    const TemporaryFolder folder;
+    const fs::path path = folder / "a.vti";
+    const auto repeated = [](const char* text, int times) {
+        std::string all;
+        for (int n = 0; n < times; ++n) all += text;
+        return all;
+    };
+    std::string attributes;
+    for (int n = 0; n < 100000; ++n) attributes += fmt::format(" a{}=\"\"", n);
+    ::testing::internal::CaptureStderr();
+    for (const int deep : {64, 200000}) {
+        put_bytes(path, "<VTKFile type=\"ImageData\">" + repeated("<a>", deep) + repeated("</a>", deep) +
+                            "<b/><b><c/></b></VTKFile>");
+        EXPECT_NE(vti_complaint(path).find("deep within one another"), std::string::npos) << vti_complaint(path);
+    }
+    put_bytes(path, "<VTKFile type=\"ImageData\">" + repeated("<a>", 63) + repeated("</a>", 63) + "</VTKFile>");
+    EXPECT_NE(vti_complaint(path).find("no element ImageData"), std::string::npos) << vti_complaint(path);
+    for (const char* text : {"<VTKFile type=\"ImageData\"><ImageData{}/><b/></VTKFile>", "<VTKFile{}><a/></VTKFile>"}) {
+        put_bytes(path, fmt::format(fmt::runtime(text), attributes));
+        EXPECT_NE(vti_complaint(path).find("100000 attributes"), std::string::npos) << vti_complaint(path);
+    }
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
 /// Cut anywhere, a file is rejected, and VTK prints nothing.
 TEST(VtiReader, RejectsATruncatedFileSilently) {
     for (const Compression compression : {Compression::none, Compression::lz4, Compression::zlib}) {

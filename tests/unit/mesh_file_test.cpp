@@ -181,6 +181,13 @@ TEST_F(MeshFile, WhatIsNoMeshIsRefusedByName) {
     expect("d.ply", binary_ply().substr(0, binary_ply().size() - 5), "is cut short");
     expect("e.ply", with(ply(), " 7\n", " 9\n"), "names a corner that is none of its 8");
     expect("f.ply", with(ply(), "property float z", "\fproperty float z"), "has a control character in its text");
+    std::string more;
+    for (int n = 0; n < 200000; ++n) more += fmt::format("property float more{}\n", n);
+    expect("g.ply", with(ply(), "property float z", more + "property float z"),
+           "has an element of too many properties");
+    more.clear();
+    for (int n = 0; n < 200000; ++n) more += fmt::format("element more{} 0\n", n);
+    expect("h.ply", with(ply(), "element vertex", more + "element vertex"), "has too many elements");
     expect("a.stl", "solid nothing\nendsolid nothing\n", "has no triangle");
     expect("b.stl", binary_stl().substr(0, 300), "claims 12 triangles, more than its 300 bytes can hold");
     expect("c.stl", "short", "is text, which in an .stl begins with \"solid\"");

@@ -1,4 +1,6 @@
 // Whatever is wrong is said in one line: place, key, what was found, what is allowed.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <random>
 
@@ -97,6 +99,67 @@ TEST(ScenarioErrors, NoScenarioFile) {
 TEST(ScenarioErrors, ControlCharactersNeverBreakTheLine) {
     const std::string message = rejection(least + "[waves]\nmodel = \"a\\nb\\u001b[31m\"\n");
     EXPECT_TRUE(std::all_of(message.begin(), message.end(), [](char c) { return c >= ' ' && c != 0x7f; })) << message;
+}
+
+/// a.a.a ... of so many parts.
+std::string dotted(std::size_t parts) {
+    std::string key = "a";
+    for (std::size_t n = 1; n < parts; ++n) key += ".a";
+    return key;
+}
+
+TEST(ScenarioErrors, KeysOfAnyNumberOfPartsAreReadOrRejected) {
+    const auto too_many = [](const std::string& text, const std::string& place) {
+        const std::string message = rejection(least + text);
+        return message.starts_with(place) && message.find("more than 32 parts") != std::string::npos
+                   ? testing::AssertionSuccess()
+                   : testing::AssertionFailure() << message.substr(0, 500);
+    };
+    EXPECT_NE(rejection(least + dotted(32) + " = 1\n").find("unknown key"), std::string::npos);
+    EXPECT_TRUE(too_many(dotted(33) + " = 1\n", "pool.toml:5:64: "));
+    for (const std::size_t parts : {1000, 1000000}) {
+        const std::string key = dotted(parts);
+        EXPECT_TRUE(too_many(fmt::format("{} = 1\n", key), "pool.toml:5:64: "));
+        EXPECT_TRUE(too_many(fmt::format("[{}]\n", key), "pool.toml:5:65: "));
+        EXPECT_TRUE(too_many(fmt::format("[[{}]]\n", key), "pool.toml:5:66: "));
+        EXPECT_TRUE(too_many(fmt::format("x = {{ {} = 1 }}\n", key), "pool.toml:5:70: "));
+        EXPECT_TRUE(too_many(fmt::format("title = 'it\"s # . '\n{} = 1\n", key), "pool.toml:6:64: "));
+        EXPECT_TRUE(too_many(fmt::format("title = \"\"\"\na\"\"\\\"\"\"\"\"\"\n{} = 1\n", key), "pool.toml:7:64: "));
+        const std::string message = rejection(least, {fmt::format("waves={{{} = 1}}", key)});
+        EXPECT_NE(message.find("allowed: one TOML value"), std::string::npos) << message.substr(0, 500);
+        EXPECT_NE(rejection(least, {fmt::format("{}=1", key)}).find("allowed: key=value"), std::string::npos);
+    }
+    // As deep as both bounds together let it be.
+    std::string deep = "x = 1";
+    for (int n = 0; n < 250; ++n) deep = fmt::format("{} = {{ {} }}", dotted(32), deep);
+    EXPECT_NE(rejection(fmt::format("{}{}\n", least, deep)).find("unknown key"), std::string::npos);
+}
+
+TEST(ScenarioErrors, DotsThatPartNoKeyAreOfAnyNumber) {
+    const std::string dots(1000, '.');
+    std::string list = "[0.5";
+    for (int n = 0; n < 1000; ++n) list += ", 0.5";
+    for (const std::string& text :
+         {"# " + dots + "\n", "[domain2] # " + dots + "\n", "title = \"" + dots + "\"\n", "title = '" + dots + "'\n",
+          "title = \"\"\"\n" + dots + "\n\"\"\"\n", "x = " + list + "]\n"})
+        EXPECT_EQ(rejection(least + text).find("parts"), std::string::npos) << text;
+    EXPECT_EQ(rejection("title = \"\\\"" + dots + "\"\n" + least), "accepted");
+}
+
+TEST(ScenarioErrors, WhatIsFoundIsNotRepeatedAtAnyLength) {
+    const std::string word(100000, 'x');
+    for (const std::string& message :
+         {rejection(least + "[waves]\nmodel = \"" + word + "\"\n"), rejection(least + word + " = 1\n"),
+          rejection(least, {"waves.model=" + word}), rejection(least, {word + "=1"}), rejection(least, {word})}) {
+        EXPECT_LT(message.size(), 2000U);
+        EXPECT_NE(message.find("xxx..."), std::string::npos) << message;
+    }
+    std::string accents;
+    for (int n = 0; n < 200; ++n) accents += "\u00e9";
+    for (const std::string_view before : {"", "a"}) {
+        const std::string message = rejection(least + fmt::format("[waves]\nmodel = \"{}{}\"\n", before, accents));
+        EXPECT_NE(message.find("\u00e9..."), std::string::npos) << message;
+    }
 }
 
 TEST(Nearest, DistanceIsASymmetricMetricWithSwaps) {
