@@ -94,14 +94,30 @@ vtkSmartPointer<vtkPolyData> poly_data(const Polygons& polygons) {
     points->SetDataTypeToDouble();
     for (const glm::dvec3& p : polygons.corners) points->InsertNextPoint(p.x, p.y, p.z);
     vtkNew<vtkCellArray> faces;
-    for (const std::vector<int>& face : polygons.faces) {
-        faces->InsertNextCell(static_cast<int>(face.size()));
-        for (const int corner : face) faces->InsertCellPoint(corner);
+    std::size_t begin = 0;
+    for (const std::size_t end : polygons.ends) {
+        faces->InsertNextCell(static_cast<int>(end - begin));
+        for (; begin < end; ++begin) faces->InsertCellPoint(polygons.named[begin]);
     }
     const auto data = vtkSmartPointer<vtkPolyData>::New();
     data->SetPoints(points);
     data->SetPolys(faces);
     return data;
+}
+
+vtkSmartPointer<vtkPolyData> polygons_in(const std::filesystem::path& file, std::string_view ending) {
+    const std::string bytes = bytes_of(file);
+    if (ending == ".obj") {
+        auto data = poly_data(read_obj(file, bytes));
+        require_sound(file, *data);
+        return data;
+    }
+    if (ending == ".ply") {
+        check_ply(file, bytes);
+        return read_by<vtkPLYReader>(file);
+    }
+    check_stl(file, bytes);
+    return read_by<vtkSTLReader>(file);
 }
 
 /// Triangles alone, each corner once.
@@ -151,19 +167,7 @@ Mesh read_mesh(const std::filesystem::path& file, double scale, bool smooth) {
     std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
     const bool known = ending == ".obj" || ending == ".ply" || ending == ".stl";
     if (!known) reject_mesh(file, fmt::format("ends in \"{}\"; allowed: .obj, .ply or .stl", ending));
-    const std::string bytes = bytes_of(file);
-    vtkSmartPointer<vtkPolyData> data;
-    if (ending == ".obj") {
-        data = poly_data(read_obj(file, bytes));
-        require_sound(file, *data);
-    } else if (ending == ".ply") {
-        check_ply(file, bytes);
-        data = read_by<vtkPLYReader>(file);
-    } else {
-        check_stl(file, bytes);
-        data = read_by<vtkSTLReader>(file);
-    }
-    Mesh mesh = mesh_of(*cleaned(*data), scale);
+    Mesh mesh = mesh_of(*cleaned(*polygons_in(file, ending)), scale);
     if (mesh.triangles.empty()) reject_mesh(file, "has no triangle with an area");
     if (smooth) add_normals(mesh);
     return mesh;

@@ -17,10 +17,11 @@ namespace waterlight {
 /// triangle. Whether the surface is closed is for validate() to say.
 Mesh read_mesh(const std::filesystem::path& file, double scale = 1, bool smooth = false);
 
-/// Faces of any number of corners, each named from 0.
+/// Faces of three corners or more, one after the other, each corner named from 0.
 struct Polygons {
     std::vector<glm::dvec3> corners;
-    std::vector<std::vector<int>> faces;
+    std::vector<int> named;         ///< by all faces
+    std::vector<std::size_t> ends;  ///< of each face in `named`
 };
 
 /// Throws InputError naming file and line where the text is not that of an .obj.

@@ -9,6 +9,8 @@ namespace waterlight {
 
 namespace {
 
+constexpr std::size_t most_corners = 10000;  // the time to cut a face into triangles grows with their square
+
 struct ObjCounts {
     std::int64_t v = 0, vt = 0, vn = 0;
 };
@@ -40,7 +42,7 @@ Polygons read_obj(const std::filesystem::path& file, std::string_view text) {
     ObjCounts had;
     for (std::size_t number = 1; !text.empty(); ++number) {
         std::string_view line = take_line(text);
-        const auto fail = [&](const char* what) { reject_mesh(file, fmt::format("line {}: {}", number, what)); };
+        const auto fail = [&](const std::string& what) { reject_mesh(file, fmt::format("line {}: {}", number, what)); };
         if (!line.empty() && line.back() == '\\') fail("it goes on in the next, which is not read");
         const std::string_view word = take_word(line);
         if (word == "v" || word == "vn") {
@@ -55,14 +57,16 @@ Polygons read_obj(const std::filesystem::path& file, std::string_view text) {
         } else if (word == "vt") {
             ++had.vt;
         } else if (word == "f") {
-            std::vector<int> face;
+            const std::size_t begin = polygons.named.size();
             for (std::string_view named = take_word(line); !named.empty(); named = take_word(line)) {
                 const std::optional<int> corner = corner_of(named, had);
                 if (!corner) fail("it names a corner that is not there");
-                face.push_back(*corner);
+                polygons.named.push_back(*corner);
             }
-            if (face.size() < 3) fail("it has fewer than three corners");
-            polygons.faces.push_back(std::move(face));
+            const std::size_t end = polygons.named.size();
+            if (end - begin < 3) fail("it has fewer than three corners");
+            if (end - begin > most_corners) fail(fmt::format("it has more than {} corners", most_corners));
+            polygons.ends.push_back(end);
         }
     }
     return polygons;

@@ -188,6 +188,9 @@ TEST_F(MeshFile, WhatIsNoMeshIsRefusedByName) {
     more.clear();
     for (int n = 0; n < 200000; ++n) more += fmt::format("element more{} 0\n", n);
     expect("h.ply", with(ply(), "element vertex", more + "element vertex"), "has too many elements");
+    more.clear();
+    for (int n = 0; n < 3334; ++n) more += " 1 2 3";
+    expect("h.obj", fmt::format("v 0 0 0\nv 1 0 0\nv 0 1 0\nf{}\n", more), "line 4: it has more than 10000 corners");
     expect("a.stl", "solid nothing\nendsolid nothing\n", "has no triangle");
     expect("b.stl", binary_stl().substr(0, 300), "claims 12 triangles, more than its 300 bytes can hold");
     expect("c.stl", "short", "is text, which in an .stl begins with \"solid\"");
