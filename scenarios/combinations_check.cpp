@@ -42,6 +42,7 @@ std::string_view lacking_section(const Scenario& s, const std::string& quantity)
 struct CheckOf {
     const Scenario& s;
     const Check& check;
+    const std::vector<std::string>& known;  ///< quantities that the scenario has
     std::string key;
 
     [[noreturn]] void reject_at(const char* sub, const std::string& found, const std::string& allowed) const {
@@ -49,7 +50,6 @@ struct CheckOf {
     }
 
     void require_known() const {
-        const std::vector<std::string> known = quantity_names(s);
         if (std::find(known.begin(), known.end(), check.quantity) != known.end()) return;
         reject(s.origin.place(key + ".quantity"), key + ".quantity", fmt::format("\"{}\"", check.quantity),
                "a number of the report or probe.NAME.elevation (`waterlight schema` lists them)",
@@ -154,15 +154,15 @@ struct CheckOf {
     }
 
     void require_order() const {
-        const std::vector<std::string> known = known_keys();
+        const std::vector<std::string> keys = known_keys();
         std::string plain;
         for (std::size_t i = 0; i < check.order->key.size(); ++i) {
             if (check.order->key[i] == '[') i = std::min(check.order->key.find(']', i), check.order->key.size() - 1);
             if (check.order->key[i] != ']') plain += check.order->key[i];
         }
-        if (std::find(known.begin(), known.end(), plain) != known.end()) return;
+        if (std::find(keys.begin(), keys.end(), plain) != keys.end()) return;
         reject(s.origin.place(key + ".order.key"), key + ".order.key", fmt::format("\"{}\"", check.order->key),
-               "a key of the scenario", nearest_word(plain, known));
+               "a key of the scenario", nearest_word(plain, keys));
     }
 
     void require_agreement() const {
@@ -200,8 +200,9 @@ struct CheckOf {
 }  // namespace
 
 void check_checks(const Scenario& s) {
+    const std::vector<std::string> known = quantity_names(s);
     for (std::size_t i = 0; i < s.checks.size(); ++i) {
-        const CheckOf check{s, s.checks[i], fmt::format("check[{}]", i)};
+        const CheckOf check{s, s.checks[i], known, fmt::format("check[{}]", i)};
         check.require_known();
         check.require_had();
         check.require_times();
