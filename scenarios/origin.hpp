@@ -12,10 +12,6 @@
 
 namespace waterlight {
 
-/// The text, or its beginning and "...", cut between characters of UTF-8: what stands in a file may be of any length,
-/// and a message is a line.
-std::string shortened(std::string_view text, std::size_t most_bytes = 300);
-
 /// Throws InputError("PLACE: KEY: found FOUND; allowed: ALLOWED"), in one line whatever the parts contain; a nearest
 /// known word is offered where there is one.
 [[noreturn]] void reject(std::string_view place, std::string_view key, std::string_view found, std::string_view allowed,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scenarios/origin.hpp"
+#include "sim/message.hpp"
 
 namespace waterlight {
 

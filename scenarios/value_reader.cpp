@@ -9,6 +9,7 @@
 
 #include "scenarios/origin.hpp"
 #include "scenarios/read_resolutions.hpp"
+#include "sim/message.hpp"
 
 namespace waterlight {
 

@@ -15,6 +15,7 @@
 #include <system_error>
 
 #include "sim/error.hpp"
+#include "sim/message.hpp"
 
 namespace waterlight {
 
@@ -64,20 +65,15 @@ VtkXml::VtkXml(std::filesystem::path path, std::string_view type) : path_(std::m
 }
 
 void VtkXml::reject(const std::string& why) const {
-    // Names and values come from the file, which may hold anything.
-    std::string printable = why;
-    for (char& c : printable)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-    throw InputError(fmt::format("{}: {}", path_.string(), printable));
+    throw InputError(fmt::format("{}: {}", path_.string(), in_one_line(shortened(why))));
 }
 
-/// VTK's message on one line, without the place in VTK's sources that it starts with.
+/// VTK's message, without the place in VTK's sources that it starts with.
 std::string VtkXml::complaint() const {
     if (first_error_.empty()) return "its data are too short, or not what its header says";
     const std::size_t colon = first_error_.find("): ");
     std::string text = colon == std::string::npos ? first_error_ : first_error_.substr(colon + 3);
     while (!text.empty() && text.back() == '\n') text.pop_back();
-    std::replace(text.begin(), text.end(), '\n', ' ');
     return text;
 }
 

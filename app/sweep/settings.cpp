@@ -9,6 +9,7 @@
 #include "scenarios/origin.hpp"
 #include "scenarios/reader.hpp"
 #include "sim/error.hpp"
+#include "sim/message.hpp"
 
 namespace waterlight {
 

@@ -8,12 +8,14 @@
 #include <exception>
 #include <functional>
 #include <mutex>
+#include <string_view>
 #include <thread>
 
 #include "app/view/pace.hpp"
 #include "app/view/simulation.hpp"
 #include "app/view/snapshot_pool.hpp"
 #include "sim/error.hpp"
+#include "sim/message.hpp"
 
 namespace waterlight {
 
@@ -23,12 +25,6 @@ using Clock = std::chrono::steady_clock;
 
 /// What stands between a failure and the next run.
 constexpr std::string_view ended = "the run has ended; a reset or other settings begin another";
-
-std::string in_one_line(std::string text) {
-    for (char& c : text)
-        if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-    return text;
-}
 
 }  // namespace
 
@@ -161,14 +157,14 @@ struct Session::Impl {
         }
     }
 
-    void refuse(Ticket ticket, std::string why) {
+    void refuse(Ticket ticket, std::string_view why) {
         const std::scoped_lock lock(mutex);
-        status.refusal = in_one_line(std::move(why));
+        status.refusal = in_one_line(why);
         status.refused = ticket;
     }
 
-    void fail(std::string why) {
-        failure = in_one_line(std::move(why));
+    void fail(std::string_view why) {
+        failure = in_one_line(why);
         plays = false;
         simulation->give_up();
     }
