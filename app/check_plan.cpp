@@ -56,7 +56,9 @@ std::vector<fs::path> scenario_files(const std::vector<fs::path>& paths) {
         }
         if (!fs::is_regular_file(path, ignored))
             reject(path.string(), "check", "no file that can be read", "scenarios (.toml), or folders that hold them");
-        if (!states_checks(path)) reject(path.string(), "check", "no [[check]]", "a scenario with [[check]] entries");
+        // Where nothing looks like a check, a malformed text still is what is wrong.
+        if (!states_checks(path) && parse_scenario(text_of(path), path, {}).checks.empty())
+            reject(path.string(), "check", "no [[check]]", "a scenario with [[check]] entries");
         files.push_back(path);
     }
     std::vector<fs::path> once;

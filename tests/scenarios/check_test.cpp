@@ -131,10 +131,13 @@ TEST_F(Check, AWrongScenarioIsNamedBeforeAnythingRunsAndTheOthersStillRun) {
     EXPECT_TRUE(has(read_junit(path("j.xml")), "case b | scenario | error ")) << read_junit(path("j.xml"));
 }
 
-TEST_F(Check, APathThatLeadsNowhereIsRefused) {
+TEST_F(Check, APathThatLeadsNowhereOrToNoCheckIsRefused) {
     EXPECT_EQ(run({path("missing.toml")}).exit, 2);
     EXPECT_EQ(run({path()}).exit, 2) << "a folder without a scenario";
     EXPECT_EQ(run({write("plain.toml", standing).string()}).exit, 2) << "a scenario without a check";
+    const Outcome malformed = run({write("malformed.toml", "waves = ").string()});
+    EXPECT_EQ(malformed.exit, 2);
+    EXPECT_TRUE(has(malformed.output, "malformed.toml:1:")) << malformed.output;
 }
 
 TEST_F(Check, ARunThatFailsLeavesItsChecksWithoutAValue) {
