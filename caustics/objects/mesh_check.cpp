@@ -157,6 +157,9 @@ class PlyChecker {
                 "its faces have no list vertex_indices");
         require(&vertex < &face, "has its faces before its corners");
         for (const PlyElement& e : header_.elements) require(!e.properties.empty(), "has an element of no property");
+        // VTK does not pass over the rows of an element that it does not know, and takes them for faces.
+        for (const PlyElement* e = header_.elements.data(); e != &face; ++e)
+            require(e == &vertex || e->rows == 0, "has other elements before its corners or faces");
     }
 
     /// Lists of one row, by their names. VTK takes it that corners are there, and have two texture coordinates each.

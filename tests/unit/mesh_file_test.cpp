@@ -188,6 +188,8 @@ TEST_F(MeshFile, WhatIsNoMeshIsRefusedByName) {
     more.clear();
     for (int n = 0; n < 200000; ++n) more += fmt::format("element more{} 0\n", n);
     expect("h.ply", with(ply(), "element vertex", more + "element vertex"), "has too many elements");
+    expect("i.ply", with(ply(), "element face", "element edge 1\nproperty int a\nelement face"),
+           "has other elements before its corners or faces");
     more.clear();
     for (int n = 0; n < 3334; ++n) more += " 1 2 3";
     expect("h.obj", fmt::format("v 0 0 0\nv 1 0 0\nv 0 1 0\nf{}\n", more), "line 4: it has more than 10000 corners");
