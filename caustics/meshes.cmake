@@ -1,7 +1,7 @@
 # Meshes from files: the one part of caustics that needs VTK.
-find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel CommonExecutionModel FiltersCore IOGeometry IOPLY)
+find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel CommonExecutionModel FiltersCore)
 
-waterlight_library(caustics_files objects/mesh_check.cpp objects/mesh_file.cpp objects/obj_file.cpp)
+waterlight_library(caustics_files objects/mesh_file.cpp objects/obj_file.cpp objects/ply_file.cpp
+    objects/stl_file.cpp)
 target_link_libraries(waterlight_caustics_files PUBLIC glm::glm
-    PRIVATE fmt::fmt VTK::CommonCore VTK::CommonDataModel VTK::CommonExecutionModel VTK::FiltersCore VTK::IOGeometry
-        VTK::IOPLY)
+    PRIVATE fmt::fmt VTK::CommonCore VTK::CommonDataModel VTK::CommonExecutionModel VTK::FiltersCore)

@@ -1,18 +1,12 @@
 #include "caustics/objects/mesh_file.hpp"
 
 #include <fmt/format.h>
-#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
-#include <vtkCellData.h>
 #include <vtkCleanPolyData.h>
-#include <vtkExecutive.h>
 #include <vtkNew.h>
-#include <vtkPLYReader.h>
-#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkSTLReader.h>
 #include <vtkTriangleFilter.h>
 
 #include <algorithm>
@@ -42,51 +36,17 @@ std::string bytes_of(const std::filesystem::path& file) {
     return bytes;
 }
 
-/// Polygons with corners that are there.
-void require_sound(const std::filesystem::path& file, vtkPolyData& data) {
-    const vtkIdType points = data.GetNumberOfPoints();
-    for (vtkIdType k = 0; k < points; ++k) {
-        const double* p = data.GetPoint(k);
-        if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
-            reject_mesh(file, fmt::format("corner {} is not finite", k));
-    }
-    if (data.GetNumberOfPolys() == 0 && data.GetNumberOfStrips() == 0) reject_mesh(file, "has no triangle");
-    for (vtkCellArray* cells : {data.GetPolys(), data.GetStrips()}) {
-        const auto walk = vtk::TakeSmartPointer(cells->NewIterator());
-        for (walk->GoToFirstCell(); !walk->IsDoneWithTraversal(); walk->GoToNextCell()) {
-            vtkIdType count = 0;
-            const vtkIdType* corners = nullptr;
-            walk->GetCurrentCell(count, corners);
-            for (vtkIdType k = 0; k < count; ++k)
-                if (corners[k] < 0 || corners[k] >= points)
-                    reject_mesh(file, fmt::format("names corner {} of {}", corners[k], points));
-        }
-    }
-}
-
-/// Reads without a word on the terminal.
-template <class Reader>
-vtkSmartPointer<vtkPolyData> read_by(const std::filesystem::path& file) {
-    vtkNew<Reader> reader;
-    std::string complaint;
-    vtkNew<vtkCallbackCommand> listener;
-    listener->SetClientData(&complaint);
-    listener->SetCallback([](vtkObject*, unsigned long, void* client, void*) {
-        *static_cast<std::string*>(client) = "is not what its ending says, or is cut short";
-    });
-    for (vtkObject* speaks : {static_cast<vtkObject*>(reader), static_cast<vtkObject*>(reader->GetExecutive())}) {
-        speaks->AddObserver(vtkCommand::ErrorEvent, listener);
-        speaks->AddObserver(vtkCommand::WarningEvent, listener);
-    }
-    reader->SetFileName(file.c_str());
-    reader->Update();
-    if (!complaint.empty()) reject_mesh(file, complaint);
-    vtkSmartPointer<vtkPolyData> data = reader->GetOutput();
-    require_sound(file, *data);
-    // Filters copy what lies at the corners, of which a reader may have too little.
-    data->GetPointData()->Initialize();
-    data->GetCellData()->Initialize();
-    return data;
+Polygons polygons_in(const std::filesystem::path& file, std::string_view ending) {
+    const std::string bytes = bytes_of(file);
+    Polygons polygons = ending == ".obj"   ? read_obj(file, bytes)
+                        : ending == ".ply" ? read_ply(file, bytes)
+                                           : read_stl(file, bytes);
+    const auto is_finite = [](glm::dvec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); };
+    const auto wrong = std::ranges::find_if_not(polygons.corners, is_finite);
+    if (wrong != polygons.corners.end())
+        reject_mesh(file, fmt::format("corner {} is not finite", wrong - polygons.corners.begin()));
+    if (polygons.ends.empty()) reject_mesh(file, "has no triangle");
+    return polygons;
 }
 
 vtkSmartPointer<vtkPolyData> poly_data(const Polygons& polygons) {
@@ -103,21 +63,6 @@ vtkSmartPointer<vtkPolyData> poly_data(const Polygons& polygons) {
     data->SetPoints(points);
     data->SetPolys(faces);
     return data;
-}
-
-vtkSmartPointer<vtkPolyData> polygons_in(const std::filesystem::path& file, std::string_view ending) {
-    const std::string bytes = bytes_of(file);
-    if (ending == ".obj") {
-        auto data = poly_data(read_obj(file, bytes));
-        require_sound(file, *data);
-        return data;
-    }
-    if (ending == ".ply") {
-        check_ply(file, bytes);
-        return read_by<vtkPLYReader>(file);
-    }
-    check_stl(file, bytes);
-    return read_by<vtkSTLReader>(file);
 }
 
 /// Triangles alone, each corner once.
@@ -167,7 +112,7 @@ Mesh read_mesh(const std::filesystem::path& file, double scale, bool smooth) {
     std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
     const bool known = ending == ".obj" || ending == ".ply" || ending == ".stl";
     if (!known) reject_mesh(file, fmt::format("ends in \"{}\"; allowed: .obj, .ply or .stl", ending));
-    Mesh mesh = mesh_of(*cleaned(*polygons_in(file, ending)), scale);
+    Mesh mesh = mesh_of(*cleaned(*poly_data(polygons_in(file, ending))), scale);
     if (mesh.triangles.empty()) reject_mesh(file, "has no triangle with an area");
     if (smooth) add_normals(mesh);
     return mesh;

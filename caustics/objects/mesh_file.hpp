@@ -24,12 +24,13 @@ struct Polygons {
     std::vector<std::size_t> ends;  ///< of each face in `named`
 };
 
-/// Throws InputError naming file and line where the text is not that of an .obj.
-Polygons read_obj(const std::filesystem::path& file, std::string_view text);
+/// Of a face: the time to cut it into triangles grows with their square.
+inline constexpr int most_corners = 10000;
 
-/// Throws InputError where what VTK's readers take on trust does not hold: they crash on numbers of corners or places
-/// of data that a file only claims.
-void check_ply(const std::filesystem::path& file, std::string_view bytes);
-void check_stl(const std::filesystem::path& file, std::string_view bytes);
+/// Each throws InputError naming the file, and in a text the line, where the bytes are not those of its format, or
+/// faces name corners that are not there. Corners of an .stl come once for each triangle.
+Polygons read_obj(const std::filesystem::path& file, std::string_view text);
+Polygons read_ply(const std::filesystem::path& file, std::string_view bytes);
+Polygons read_stl(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace waterlight

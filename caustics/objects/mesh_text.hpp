@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,15 +17,6 @@ namespace waterlight {
 
 [[noreturn]] inline void reject_mesh(const std::filesystem::path& file, const std::string& why) {
     throw InputError(fmt::format("{}: {}", file.string(), why));
-}
-
-/// Takes a line off the front; without its end.
-inline std::string_view take_line(std::string_view& text) {
-    const std::size_t end = text.find('\n');
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    return line;
 }
 
 /// Takes a word off the front; empty where there is none.
@@ -52,5 +44,47 @@ inline std::optional<double> decimal_in(std::string_view word) {
 inline bool is_printable(std::string_view text) {
     return std::ranges::all_of(text, [](unsigned char c) { return c >= 0x20 || c == '\n' || c == '\r' || c == '\t'; });
 }
+
+/// The lines of a file, one after the other; complaints name the number of the last.
+class MeshLines {
+  public:
+    MeshLines(const std::filesystem::path& file, std::string_view text) : file_(file), rest_(text) {}
+
+    bool at_end() const { return rest_.empty(); }
+    std::string_view rest() const { return rest_; }
+
+    /// Without its end.
+    std::string_view next() {
+        const std::size_t end = rest_.find('\n');
+        std::string_view line = rest_.substr(0, end);
+        rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+        if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+        ++number_;
+        return line;
+    }
+
+    /// Three numbers off the front of a line.
+    glm::dvec3 take_point(std::string_view& line) const {
+        glm::dvec3 point;
+        for (int k = 0; k < 3; ++k) {
+            const std::optional<double> found = decimal_in(take_word(line));
+            if (!found) reject("found no number; allowed: three");
+            point[k] = *found;
+        }
+        return point;
+    }
+
+    [[noreturn]] void reject(const std::string& why) const {
+        reject_mesh(file_, fmt::format("line {}: {}", number_, why));
+    }
+    void require(bool holds, const std::string& otherwise) const {
+        if (!holds) reject(otherwise);
+    }
+
+  private:
+    const std::filesystem::path& file_;
+    std::string_view rest_;
+    std::size_t number_ = 0;
+};
 
 }  // namespace waterlight

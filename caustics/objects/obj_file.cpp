@@ -9,8 +9,6 @@ namespace waterlight {
 
 namespace {
 
-constexpr std::size_t most_corners = 10000;  // the time to cut a face into triangles grows with their square
-
 struct ObjCounts {
     std::int64_t v = 0, vt = 0, vn = 0;
 };
@@ -40,18 +38,12 @@ Polygons read_obj(const std::filesystem::path& file, std::string_view text) {
     if (!is_printable(text)) reject_mesh(file, "is no text, as an .obj is");
     Polygons polygons;
     ObjCounts had;
-    for (std::size_t number = 1; !text.empty(); ++number) {
-        std::string_view line = take_line(text);
-        const auto fail = [&](const std::string& what) { reject_mesh(file, fmt::format("line {}: {}", number, what)); };
-        if (!line.empty() && line.back() == '\\') fail("it goes on in the next, which is not read");
+    for (MeshLines lines(file, text); !lines.at_end();) {
+        std::string_view line = lines.next();
+        if (!line.empty() && line.back() == '\\') lines.reject("it goes on in the next, which is not read");
         const std::string_view word = take_word(line);
         if (word == "v" || word == "vn") {
-            glm::dvec3 numbers;
-            for (int k = 0; k < 3; ++k) {
-                const std::optional<double> found = decimal_in(take_word(line));
-                if (!found) fail("found no number; allowed: three");
-                numbers[k] = *found;
-            }
+            const glm::dvec3 numbers = lines.take_point(line);
             if (word == "v") polygons.corners.push_back(numbers);
             ++(word == "v" ? had.v : had.vn);
         } else if (word == "vt") {
@@ -60,12 +52,12 @@ Polygons read_obj(const std::filesystem::path& file, std::string_view text) {
             const std::size_t begin = polygons.named.size();
             for (std::string_view named = take_word(line); !named.empty(); named = take_word(line)) {
                 const std::optional<int> corner = corner_of(named, had);
-                if (!corner) fail("it names a corner that is not there");
+                if (!corner) lines.reject("it names a corner that is not there");
                 polygons.named.push_back(*corner);
             }
             const std::size_t end = polygons.named.size();
-            if (end - begin < 3) fail("it has fewer than three corners");
-            if (end - begin > most_corners) fail(fmt::format("it has more than {} corners", most_corners));
+            if (end - begin < 3) lines.reject("it has fewer than three corners");
+            if (end - begin > most_corners) lines.reject(fmt::format("it has more than {} corners", most_corners));
             polygons.ends.push_back(end);
         }
     }
