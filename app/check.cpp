@@ -16,6 +16,7 @@
 #include "app/check_update.hpp"
 #include "app/junit.hpp"
 #include "app/signals.hpp"
+#include "app/timed.hpp"
 #include "export/atomic_file.hpp"
 #include "scenarios/memory.hpp"
 #include "sim/error.hpp"
@@ -27,22 +28,20 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
 bool is_stopped(const CheckOptions& options) { return options.stop_signal && options.stop_signal() != 0; }
 
 /// Where the runs write; a folder that nobody asked for is removed at the end.
-class RunFolder {
+class CheckFolder {
   public:
-    explicit RunFolder(const fs::path& wanted)
+    explicit CheckFolder(const fs::path& wanted)
         : path_(wanted.empty() ? fs::temp_directory_path() / fmt::format("waterlight-check-{}", getpid()) : wanted),
           is_kept_(!wanted.empty()) {}
-    ~RunFolder() {
+    ~CheckFolder() {
         std::error_code ignored;
         if (!is_kept_) fs::remove_all(path_, ignored);
     }
-    RunFolder(const RunFolder&) = delete;
-    RunFolder& operator=(const RunFolder&) = delete;
+    CheckFolder(const CheckFolder&) = delete;
+    CheckFolder& operator=(const CheckFolder&) = delete;
 
     /// One for each scenario, though two may have the same name.
     fs::path of(const std::string& name) {
@@ -127,7 +126,7 @@ class Pool {
 
     const std::vector<CheckItem>& items_;
     const CheckOptions& options_;
-    RunFolder folder_;
+    CheckFolder folder_;
     std::vector<fs::path> folders_;
     std::vector<ItemOutcome> outcomes_;
     std::vector<std::size_t> waiting_;

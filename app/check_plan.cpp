@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 
+#include "app/bytes_of.hpp"
 #include "app/floor_stage.hpp"
 #include "scenarios/build.hpp"
 #include "scenarios/memory.hpp"
@@ -18,11 +18,6 @@ namespace waterlight {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// Whether a line of the file states a check. Malformed TOML may: it is then reported, not passed over.
 bool states_checks(const fs::path& file) {
@@ -57,7 +52,7 @@ std::vector<fs::path> scenario_files(const std::vector<fs::path>& paths) {
         if (!fs::is_regular_file(path, ignored))
             reject(path.string(), "check", "no file that can be read", "scenarios (.toml), or folders that hold them");
         // Where nothing looks like a check, a malformed text still is what is wrong.
-        if (!states_checks(path) && parse_scenario(text_of(path), path, {}).checks.empty())
+        if (!states_checks(path) && parse_scenario(bytes_of(path), path, {}).checks.empty())
             reject(path.string(), "check", "no [[check]]", "a scenario with [[check]] entries");
         files.push_back(path);
     }
@@ -97,7 +92,7 @@ CheckItem read_item(const fs::path& file, const CheckOptions& options) {
     item.file = file;
     item.name = file.stem().string();
     try {
-        item.overrides = parse_scenario(text_of(file), file, {}).check_run.set;
+        item.overrides = parse_scenario(bytes_of(file), file, {}).check_run.set;
         if (options.out.empty())
             item.overrides.insert(item.overrides.begin(), {"output.formats=[]", "output.image=false"});
         item.overrides.insert(item.overrides.end(), options.overrides.begin(), options.overrides.end());

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "app/bytes_of.hpp"
 #include "app/floor_stage.hpp"
 #include "app/judge.hpp"
 #include "app/process.hpp"
@@ -20,7 +20,7 @@ namespace waterlight {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 /// One run, and what it came to.
 struct RunWish {
@@ -48,11 +48,6 @@ struct RunResult {
         return std::numeric_limits<double>::quiet_NaN();
     }
 };
-
-std::string text_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 std::string last_line(std::string text) {
     while (!text.empty() && text.back() == '\n') text.pop_back();
@@ -82,10 +77,10 @@ RunResult run(const RunWish& wish, const CheckOptions& options, int threads, dou
     RunResult result;
     result.wall_s = child.wall_s;
     const bool is_done = child.exit == 0 || child.exit == 1;
-    if (is_done) result.report = Json::parse(text_of(report), nullptr, false);
+    if (is_done) result.report = Json::parse(bytes_of(report), nullptr, false);
     if (is_done && result.report.is_object()) return result;
     result.report = nullptr;
-    result.failure = failure_of(child, text_of(log), options);
+    result.failure = failure_of(child, bytes_of(log), options);
     return result;
 }
 

@@ -20,10 +20,10 @@ std::string within(const CheckOutcome& outcome) {
     return outcome.tolerance > 0 ? fmt::format(" within {:.3g}", outcome.tolerance) : "";
 }
 
-using Row = std::vector<std::string>;
+using Cells = std::vector<std::string>;
 
-std::vector<Row> rows_of(const std::vector<CheckItem>& items, const std::vector<ItemOutcome>& outcomes) {
-    std::vector<Row> rows{{"scenario", "check", "value", "expected", "result"}};
+std::vector<Cells> rows_of(const std::vector<CheckItem>& items, const std::vector<ItemOutcome>& outcomes) {
+    std::vector<Cells> rows{{"scenario", "check", "value", "expected", "result"}};
     for (std::size_t i = 0; i < items.size(); ++i) {
         if (outcomes[i].checks.empty())
             rows.push_back({items[i].name, "", "", "", items[i].wrong.empty() ? "skipped" : "WRONG"});
@@ -83,12 +83,12 @@ std::string repeat_command(const CheckItem& item, const std::string& quantity, c
 }
 
 std::string table_text(const std::vector<CheckItem>& items, const std::vector<ItemOutcome>& outcomes) {
-    const std::vector<Row> rows = rows_of(items, outcomes);
+    const std::vector<Cells> rows = rows_of(items, outcomes);
     std::vector<std::size_t> widths(rows.front().size());
-    for (const Row& row : rows)
+    for (const Cells& row : rows)
         for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());
     std::string text;
-    for (const Row& row : rows) {
+    for (const Cells& row : rows) {
         for (std::size_t k = 0; k + 1 < row.size(); ++k)
             text += k == 2 ? fmt::format("{:>{}}  ", row[k], widths[k]) : fmt::format("{:<{}}  ", row[k], widths[k]);
         text += row.back() + "\n";

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
+#include "app/bytes_of.hpp"
 #include "export/atomic_file.hpp"
 #include "scenarios/reader.hpp"
 #include "sim/error.hpp"
@@ -103,8 +102,7 @@ std::string diff_text(const CheckItem& item, const std::vector<CheckUpdate>& upd
 }
 
 void apply_updates(const CheckItem& item, const std::vector<CheckUpdate>& updates) {
-    std::ifstream stream(item.file, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    std::string text = bytes_of(item.file);
     if (text != item.scenario->origin.text)
         throw WorldError(fmt::format("{} has changed since it was read; it is left as it is", item.file.string()));
     for (auto update = updates.rbegin(); update != updates.rend(); ++update)

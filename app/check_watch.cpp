@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "app/probe_spectrum.hpp"
+#include "app/readings.hpp"
 #include "scenarios/quantities.hpp"
 #include "sim/error.hpp"
 
@@ -14,8 +14,7 @@ namespace waterlight {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr double slack = 1e-9;  // relative: times that are one but for rounding
+constexpr double time_slack = 1e-9;  // relative: times that are one but for rounding
 
 bool is_series(const Check& check) { return kind_of(check.quantity) == QuantityKind::of_series; }
 bool is_of_rows(const Check& check) { return is_series(check) || (check.window_s && is_row_quantity(check.quantity)); }
@@ -28,7 +27,7 @@ std::string probe_of(const std::string& quantity) {
 
 /// Means weigh every value the same.
 double taken_together(const std::vector<double>& values, const std::optional<Over>& over) {
-    if (values.empty()) return none;
+    if (values.empty()) return no_value;
     double sum = 0, squares = 0, low = values.front(), high = values.front();
     for (const double v : values) {
         sum += v;
@@ -37,7 +36,7 @@ double taken_together(const std::vector<double>& values, const std::optional<Ove
         high = std::max(high, v);
     }
     const double n = static_cast<double>(values.size());
-    if (std::isnan(sum)) return none;
+    if (std::isnan(sum)) return no_value;
     if (!over) return sum / n;
     return *over == Over::min ? low : *over == Over::max ? high : std::sqrt(squares / n);
 }
@@ -47,7 +46,7 @@ double taken_together(const std::vector<double>& values, const std::optional<Ove
 CheckWatch::CheckWatch(const Scenario& scenario) : scenario_(scenario), seen_(scenario.checks.size()) {}
 
 bool CheckWatch::is_in(const Check& check, double time_s) const {
-    const double end = scenario_.waves.duration_s, room = slack * std::max(1.0, end);
+    const double end = scenario_.waves.duration_s, room = time_slack * std::max(1.0, end);
     if (is_series(check) && !check.window_s) return time_s <= check.at_s.value_or(end) + room;
     if (check.window_s) return time_s >= check.window_s->x - room && time_s <= check.window_s->y + room;
     return std::abs(time_s - check.at_s.value_or(end)) <= room;
@@ -72,7 +71,7 @@ void CheckWatch::add_frame(double time_s, const std::map<std::string, double>& q
         const Check& check = scenario_.checks[i];
         if (is_of_rows(check) || check.is_against_scenario() || !is_in(check, time_s)) continue;
         const auto found = quantities.find(check.quantity);
-        double value = found == quantities.end() ? none : found->second;
+        double value = found == quantities.end() ? no_value : found->second;
         if (field_statistic(check.quantity)) value = field_value(scenario_, check, time_s, fields);
         seen_[i].times_s.push_back(time_s);
         seen_[i].values.push_back(value);

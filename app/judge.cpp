@@ -19,9 +19,9 @@ std::string expected_of_runs(const Check& check) {
     return {};
 }
 
-class Judge {
+class Judgement {
   public:
-    Judge(int index, const Check& check, double value) : check_(check) {
+    Judgement(int index, const Check& check, double value) : check_(check) {
         result_.check = index;
         result_.name = name_of(check);
         result_.value = value;
@@ -78,7 +78,7 @@ std::vector<CheckResult> judge(const std::vector<Check>& checks, std::span<const
     assert(checks.size() == values.size());
     std::vector<CheckResult> results;
     for (std::size_t i = 0; i < checks.size(); ++i) {
-        const std::vector<CheckResult> own = Judge(static_cast<int>(i), checks[i], values[i]).results();
+        const std::vector<CheckResult> own = Judgement(static_cast<int>(i), checks[i], values[i]).results();
         results.insert(results.end(), own.begin(), own.end());
     }
     return results;

@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
+#include "app/bytes_of.hpp"
 #include "app/fed_process.hpp"
 #include "export/atomic_file.hpp"
 #include "sim/error.hpp"
@@ -24,9 +23,8 @@ fs::path ffmpeg() {
     return *program;
 }
 
-std::string bytes_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+std::string picture_in(const fs::path& file) {
+    std::string bytes = bytes_of(file);
     if (bytes.empty()) throw WorldError(fmt::format("cannot read {} for the movie", file.string()));
     return bytes;
 }
@@ -57,7 +55,7 @@ void write_movie(const fs::path& file, std::span<const fs::path> pictures, doubl
     PendingFile pending(file);
     FedProcess process(ffmpeg(), arguments_for(pending.temporary(), frames_per_s));
     for (const fs::path& picture : pictures)
-        if (!process.write(bytes_of(picture))) break;
+        if (!process.write(picture_in(picture))) break;
     if (!process.finish()) throw_failed(file, process.said());
     pending.commit();
 }

@@ -14,6 +14,7 @@
 #include <cstring>
 #include <thread>
 
+#include "app/timed.hpp"
 #include "sim/error.hpp"
 
 namespace waterlight {
@@ -25,8 +26,6 @@ constexpr int cannot_start = 127;
 constexpr double grace_s = 2;  // from SIGTERM to SIGKILL
 
 using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 [[noreturn]] void throw_failed(const char* what) {
     throw WorldError(fmt::format("cannot {} a run: {}", what, std::strerror(errno)));

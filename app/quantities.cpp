@@ -3,15 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "app/readings.hpp"
 #include "app/report.hpp"
 
 namespace waterlight {
 
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 void add_ledger(std::string_view of, const LightLedger& l, std::map<std::string, double>& q) {
     const auto add = [&](std::string_view row, double watts) { q[fmt::format("{}.ledger.{}", of, row)] = watts; };
@@ -45,7 +43,7 @@ void add_beams(const BeamRecord& beams, std::map<std::string, double>& q) {
     add_ledger("beams", beams.last_ledger, q);
     q["beams.ledger_closure"] = beams.closure;
     q["beams.discarded_fraction"] = beams.discarded_fraction;
-    q["beams.reflected_fraction"] = beams.sum.incident_w > 0 ? beams.sum.reflected_w / beams.sum.incident_w : none;
+    q["beams.reflected_fraction"] = beams.sum.incident_w > 0 ? beams.sum.reflected_w / beams.sum.incident_w : no_value;
     q["volume.flux_error"] = beams.flux_error;
     q["volume.brightest_depth"] = beams.brightest_depth_m;
     add_slices(beams.slices, q);
@@ -54,7 +52,7 @@ void add_beams(const BeamRecord& beams, std::map<std::string, double>& q) {
 }
 
 void add_method(const MethodRecord& method, std::map<std::string, double>& q) {
-    const auto by = [&](FloorMethod wanted, double value) { return method.method == wanted ? value : none; };
+    const auto by = [&](FloorMethod wanted, double value) { return method.method == wanted ? value : no_value; };
     q["floor.truth_error"] = by(FloorMethod::truth, method.error_estimate);
     q["floor.photon_error"] = by(FloorMethod::photons, method.error_estimate);
     q["floor.splat_missed"] = by(FloorMethod::splat, method.missed_fraction());
@@ -101,7 +99,8 @@ std::map<std::string, double> quantities_of(const RunRecord& r) {
         q["sea.significant_height"] = carried;
         q["sea.longer_fraction"] = r.sea->coverage.longer_fraction;
         q["sea.shorter_fraction"] = r.sea->coverage.shorter_fraction;
-        q["sea.height_error"] = carried > 0 ? std::abs(4 * std::sqrt(r.waves.first.variance_m2) / carried - 1) : none;
+        q["sea.height_error"] =
+            carried > 0 ? std::abs(4 * std::sqrt(r.waves.first.variance_m2) / carried - 1) : no_value;
     }
     if (r.shallow) {
         const ShallowRecord& s = *r.shallow;
@@ -109,7 +108,7 @@ std::map<std::string, double> quantities_of(const RunRecord& r) {
         q["waves.momentum_x"] = s.last.momentum_x_kg_m_s;
         q["waves.momentum_y"] = s.last.momentum_y_kg_m_s;
         q["waves.inundated_area"] = s.inundated_m2;
-        q["waves.max_runup"] = s.highest ? s.highest->ground_m : none;
+        q["waves.max_runup"] = s.highest ? s.highest->ground_m : no_value;
         q["waves.min_depth"] = s.min_depth_m;
         q["waves.exact_l1"] = s.exact_l1;
     }
@@ -134,7 +133,8 @@ std::map<std::string, double> quantities_of(const RunRecord& r) {
         q[prefix + "elevation"] = probe.elevation;
         q[prefix + "min_elevation"] = probe.min_elevation;
         q[prefix + "max_elevation"] = probe.max_elevation;
-        q[prefix + "rms_elevation"] = probe.late_frames > 0 ? std::sqrt(probe.late_squares / probe.late_frames) : none;
+        q[prefix + "rms_elevation"] =
+            probe.late_frames > 0 ? std::sqrt(probe.late_squares / probe.late_frames) : no_value;
         if (r.shallow) q[prefix + "arrival_time"] = probe.arrival_s;
         q[prefix + "irradiance"] = probe.irradiance;
         q[prefix + "max_irradiance"] = probe.max_irradiance;

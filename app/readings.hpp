@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <limits>
 #include <string_view>
 
 #include "caustics/floor.hpp"
@@ -10,6 +11,9 @@
 #include "sim/surface.hpp"
 
 namespace waterlight {
+
+/// Of what was not read.
+inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 /// Elevation (m) at a place in the domain, of the smooth surface through the cells (interpolate()): linear
 /// interpolation would cut crests by a twelfth at eight cells a wave. Beside dry ground, that of the cell itself.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "app/readings.hpp"
 #include "scenarios/resolve.hpp"
@@ -10,8 +9,6 @@
 namespace waterlight {
 
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// All of them by name, so that one that is added cannot be forgotten here.
 void exchange(StateArchive& state, ProbeRecord& probe) {
@@ -26,8 +23,8 @@ void exchange(StateArchive& state, ProbeRecord& probe) {
 }  // namespace
 
 Recorder::Recorder(const Scenario& scenario)
-    : scenario_(scenario), conserved_from_s_(conserves_energy_from_s(scenario)), conserved_j_(none) {
-    record_.waves.energy_drift = none;
+    : scenario_(scenario), conserved_from_s_(conserves_energy_from_s(scenario)), conserved_j_(no_value) {
+    record_.waves.energy_drift = no_value;
     record_.waves.still_m3 = still_volume_m3(scenario);
 }
 

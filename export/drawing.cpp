@@ -13,11 +13,11 @@ namespace waterlight {
 
 namespace {
 
-constexpr std::array<Rgb, 5> colours{Rgb{38, 38, 38}, {222, 222, 222}, {150, 150, 150}, {0, 96, 160}, {192, 64, 0}};
+constexpr std::array<Rgb, 5> pen_colours{Rgb{38, 38, 38}, {222, 222, 222}, {150, 150, 150}, {0, 96, 160}, {192, 64, 0}};
 constexpr int shades = 51;  // of each pen, from paper to its colour: 5 x 51 fit a palette
 constexpr double dash = 8, gap = 5;
 
-Rgb colour_of(Pen pen) { return colours[static_cast<std::size_t>(pen)]; }
+Rgb colour_of(Pen pen) { return pen_colours[static_cast<std::size_t>(pen)]; }
 
 std::string hex(Rgb c) { return fmt::format("#{:02x}{:02x}{:02x}", c.r, c.g, c.b); }
 
@@ -41,8 +41,8 @@ class Raster {
   public:
     Raster(int width, int height)
         : image_{width, height, {}, std::vector<std::uint8_t>(static_cast<std::size_t>(width) * height, 0)} {
-        for (std::size_t p = 0; p < colours.size(); ++p)
-            for (int s = 0; s < shades; ++s) image_.palette[p * shades + s] = shade(colours[p], s);
+        for (std::size_t p = 0; p < pen_colours.size(); ++p)
+            for (int s = 0; s < shades; ++s) image_.palette[p * shades + s] = shade(pen_colours[p], s);
     }
 
     /// `coverage`, at the centre of each pixel of the box, is at most 1.

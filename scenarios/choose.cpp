@@ -18,7 +18,7 @@ namespace waterlight {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double samples_a_wave = 8;  // cells and pixels of the shortest wave that the light shows
 
 /// The key at which an error of the reader points.
@@ -93,7 +93,7 @@ void judge_footprints(const Scenario& s, glm::dvec2 sample_m, LightDemand& light
 }
 
 /// Counts along the sides of a rectangle: as stated, or enough for what the light shows.
-glm::ivec2 counts(const LightDemand& light, glm::dvec2 size_m, glm::ivec2 stated, double pitch_m) {
+glm::ivec2 cells_or_pixels(const LightDemand& light, glm::dvec2 size_m, glm::ivec2 stated, double pitch_m) {
     if (stated.x > 0) return stated;
     const double few = std::max(size_m.x, size_m.y) / 64;
     const double pitch = std::min(light.shortest_m > 0 ? light.shortest_m / samples_a_wave : few, pitch_m);
@@ -126,7 +126,7 @@ void size_floor(const Scenario& s, LightDemand& light) {
     const double wanted = adaptive_error(s, light) / s.accuracy.tolerance;  // samples of the strongest wave
     const double pitch = !resolves || wide || !(wanted > 0) ? std::numeric_limits<double>::infinity()
                                                             : per_pixel * light.strongest_m / wanted;
-    light.pixels = counts(light, size, floor.pixels, pitch);
+    light.pixels = cells_or_pixels(light, size, floor.pixels, pitch);
     const glm::dvec2 sample_m = size / glm::dvec2(light.pixels) / per_pixel;
     const glm::dvec2 reach = light.reach_m / sample_m;
     const glm::dvec2 spread = wide ? glm::dvec2(0) : glm::min(glm::dvec2(light.spread), reach);
@@ -140,8 +140,8 @@ void size_floor(const Scenario& s, LightDemand& light) {
 void size_light(const Scenario& s, glm::ivec2 cells, LightDemand& light) {
     if (s.floor) size_floor(s, light);
     if (s.beams)
-        light.beams = counts(light, s.beams->size_m.value_or(s.domain.size_m), s.beams->grid,
-                             std::numeric_limits<double>::infinity());
+        light.beams = cells_or_pixels(light, s.beams->size_m.value_or(s.domain.size_m), s.beams->grid,
+                                      std::numeric_limits<double>::infinity());
     light.seconds = light_seconds(s, light, cells);
 }
 

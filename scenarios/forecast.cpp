@@ -14,7 +14,7 @@ namespace waterlight {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int most_cells = 16384;  // along a side
 constexpr int least_cells = 4;
 

@@ -12,8 +12,6 @@ namespace waterlight {
 
 namespace {
 
-double product(glm::ivec2 n) { return n.x * static_cast<double>(n.y); }
-
 /// How many times the map of parallel light that of the sun's disc takes.
 double disc_factor(const Scenario& s, glm::ivec2 pixels) {
     if (!s.sun.disc_deg || s.light.elevation_deg <= 0) return 1;

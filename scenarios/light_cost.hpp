@@ -5,6 +5,9 @@
 
 namespace waterlight {
 
+/// Of cells or pixels, which may be more than an int counts.
+inline double product(glm::ivec2 n) { return n.x * static_cast<double>(n.y); }
+
 /// Seconds of floor map, walls, beams, fields and pictures over the whole run, from scenarios/costs.hpp, once cells,
 /// pixels and beams are known. A picture counts as if the beams filled it.
 double light_seconds(const Scenario& scenario, const LightDemand& light, glm::ivec2 cells);

@@ -85,8 +85,6 @@ double solutions(const Scenario& scenario, ModelChoice model) {
     return model == ModelChoice::airy ? 10 : 1 + 1 / 4.0 + 1 / 16.0;
 }
 
-double product(glm::ivec2 n) { return n.x * static_cast<double>(n.y); }
-
 double threads() { return std::max(1.0, static_cast<double>(::sysconf(_SC_NPROCESSORS_ONLN))); }
 
 double bytes_of_grid(glm::ivec2 grid) { return product(grid + 1) * beam_corner + product(grid) * beam_cell; }

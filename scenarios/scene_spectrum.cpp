@@ -15,7 +15,7 @@ namespace waterlight {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 class Gatherer {
   public:

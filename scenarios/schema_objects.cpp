@@ -8,8 +8,6 @@ using namespace schema;
 
 namespace {
 
-constexpr Range fractions{.low = 0, .high = 1};
-
 void describe_material(Visitor& v, Material& m) {
     v.value({"type", "",
              "diffuse: opaque, where light ends; mirror: opaque, sends light on; glass: clear, refracts and reflects."},

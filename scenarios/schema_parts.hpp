@@ -12,6 +12,7 @@ namespace waterlight::schema {
 
 constexpr Range positive{.low = 0, .excludes_low = true};
 constexpr Range not_negative{.low = 0};
+constexpr Range fractions{.low = 0, .high = 1};
 constexpr Range circle{.low = -360, .high = 360};
 
 /// The names follow the order of the enumeration.

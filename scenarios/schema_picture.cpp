@@ -8,8 +8,6 @@ using namespace schema;
 
 namespace {
 
-constexpr Range fractions{.low = 0, .high = 1};
-
 void describe_finish(Visitor& v, Finish& f) {
     v.value({"pattern", "", "What is drawn on it: nothing, square tiles with joints, or sand with ripples."},
             choice(f.pattern, {"plain", "tiles", "sand"}));

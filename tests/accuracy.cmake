@@ -5,6 +5,7 @@ add_executable(waterlight_accuracy
 target_include_directories(waterlight_accuracy PRIVATE ${PROJECT_SOURCE_DIR})
 target_link_libraries(waterlight_accuracy PRIVATE
     waterlight_flags waterlight::sim waterlight::caustics_vulkan fmt::fmt)
+waterlight_together(waterlight_accuracy)
 add_test(NAME Accuracy.QuickReportParsesAndConverges COMMAND /usr/bin/python3
     ${CMAKE_CURRENT_LIST_DIR}/bench/accuracy/check_report.py $<TARGET_FILE:waterlight_accuracy>)
 # Threads that wait should soon sleep: other tests run beside them.

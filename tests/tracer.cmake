@@ -12,6 +12,7 @@ add_executable(waterlight_methods
 target_include_directories(waterlight_methods PRIVATE ${PROJECT_SOURCE_DIR})
 target_link_libraries(waterlight_methods PRIVATE
     waterlight_flags waterlight::scenarios waterlight::render fmt::fmt)
+waterlight_together(waterlight_methods)
 add_test(NAME Methods.QuickReportConvergesAndKeepsTheLight COMMAND /usr/bin/python3
     ${CMAKE_CURRENT_LIST_DIR}/bench/methods/check_report.py $<TARGET_FILE:waterlight_methods>
     ${PROJECT_SOURCE_DIR}/scenarios)

@@ -19,7 +19,7 @@ CostAndError cost_of(const SettingResult& r) {
     return {r.wall_s.total(), r.errors.together()};
 }
 
-std::string percent(double fraction) {
+std::string percent_or_dash(double fraction) {
     return std::isfinite(fraction) ? fmt::format("{:.3g} %", 100 * fraction) : std::string("-");
 }
 
@@ -38,7 +38,7 @@ Cells header_of(const Table& table) {
 }
 
 Cells cells_of(const Table& table, std::size_t i) {
-    const Row& row = table.rows[i];
+    const TableRow& row = table.rows[i];
     const SettingResult& r = row.result;
     const bool on_front = std::find(table.front.begin(), table.front.end(), i) != table.front.end();
     Cells cells{on_front ? "*" : "", fmt::format("{}", row.number)};
@@ -49,8 +49,8 @@ Cells cells_of(const Table& table, std::size_t i) {
     }
     cells.push_back(seconds(r.wall_s.waves));
     if (has_floor(table)) cells.insert(cells.end(), {seconds(r.wall_s.floor), seconds(r.wall_s.total())});
-    cells.push_back(percent(r.errors.waves));
-    if (has_floor(table)) cells.insert(cells.end(), {percent(r.errors.light), percent(r.errors.both)});
+    cells.push_back(percent_or_dash(r.errors.waves));
+    if (has_floor(table)) cells.insert(cells.end(), {percent_or_dash(r.errors.light), percent_or_dash(r.errors.both)});
     return cells;
 }
 
@@ -62,7 +62,7 @@ std::string csv_field(const std::string& text) {
     return quoted + "\"";
 }
 
-std::string run_command(const Table& table, const Row& row) {
+std::string run_command(const Table& table, const TableRow& row) {
     std::string command = fmt::format("./waterlight run {}", table.scenario.string());
     for (const std::string& override : row.result.overrides) command += fmt::format(" --set '{}'", override);
     return command;
@@ -71,14 +71,14 @@ std::string run_command(const Table& table, const Row& row) {
 }  // namespace
 
 void finish(Table& table) {
-    const auto time = [](const Row& row) {
+    const auto time = [](const TableRow& row) {
         const double s = cost_of(row.result).time_s;
         return std::isfinite(s) ? s : std::numeric_limits<double>::infinity();
     };
     std::stable_sort(table.rows.begin(), table.rows.end(),
-                     [&](const Row& a, const Row& b) { return time(a) < time(b); });
+                     [&](const TableRow& a, const TableRow& b) { return time(a) < time(b); });
     table.costs.clear();
-    for (const Row& row : table.rows) table.costs.push_back(cost_of(row.result));
+    for (const TableRow& row : table.rows) table.costs.push_back(cost_of(row.result));
     table.front = pareto_front(table.costs);
 }
 
@@ -90,18 +90,18 @@ std::string recommendation(const Table& table) {
     const std::optional<std::size_t> best = least_wrong(table.costs);
     if (!table.tolerance || !best) return {};
     const std::optional<std::size_t> cheapest = cheapest_within(table.costs, *table.tolerance);
-    const Row& row = table.rows[cheapest.value_or(*best)];
-    const std::string says = cheapest
-                                 ? fmt::format("The cheapest setting within {} is", percent(*table.tolerance))
-                                 : fmt::format("No setting is within {}; the closest is", percent(*table.tolerance));
+    const TableRow& row = table.rows[cheapest.value_or(*best)];
+    const std::string says =
+        cheapest ? fmt::format("The cheapest setting within {} is", percent_or_dash(*table.tolerance))
+                 : fmt::format("No setting is within {}; the closest is", percent_or_dash(*table.tolerance));
     return fmt::format("{} #{}: {} ({} in {} s)\n  {}\n", says, row.number, text_of(table.variations, *row.setting),
-                       percent(row.result.errors.together()), seconds(row.result.wall_s.total()),
+                       percent_or_dash(row.result.errors.together()), seconds(row.result.wall_s.total()),
                        run_command(table, row));
 }
 
 std::string explanation(const Table& table) {
     std::set<std::string> references, devices;
-    for (const Row& row : table.rows) {
+    for (const TableRow& row : table.rows) {
         references.insert(row.result.reference);
         if (!row.result.device.empty())
             devices.insert(
@@ -159,7 +159,7 @@ std::string csv_of(const Table& table) {
     std::string text = fmt::format("{},waves_s,floor_s,total_s,error_waves,error_light,error_together,front,failed\n",
                                    fmt::join(header, ","));
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
-        const Row& row = table.rows[i];
+        const TableRow& row = table.rows[i];
         const SettingResult& r = row.result;
         Cells fields{fmt::format("{}", row.number)};
         for (const std::string& value : row.setting->values) fields.push_back(csv_field(value));

@@ -13,7 +13,7 @@
 namespace waterlight {
 
 /// One setting that has run.
-struct Row {
+struct TableRow {
     std::size_t number = 0;  ///< of the setting, from 1
     const Setting* setting = nullptr;
     SettingResult result;
@@ -28,7 +28,7 @@ struct Table {
     glm::ivec2 points{1, 1};
     std::vector<double> times_s;
     std::optional<double> tolerance;
-    std::vector<Row> rows;
+    std::vector<TableRow> rows;
     std::vector<CostAndError> costs;  ///< of the rows
     std::vector<std::size_t> front;   ///< rows, in order of time
 };

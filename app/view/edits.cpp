@@ -12,8 +12,6 @@ namespace waterlight {
 
 namespace {
 
-std::string key_of(const std::string& override) { return override.substr(0, override.find('=')); }
-
 bool is_within(const std::string& key, const std::string& section) {
     return key.starts_with(section + ".") || key.starts_with(section + "[");
 }

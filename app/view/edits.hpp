@@ -9,6 +9,9 @@
 
 namespace waterlight {
 
+/// Of "key=value".
+inline std::string key_of(const std::string& override) { return override.substr(0, override.find('=')); }
+
 class Edits {
   public:
     /// Of a scenario as it was read.

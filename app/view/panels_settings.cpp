@@ -102,7 +102,7 @@ void Panels::draw_backend(const Snapshot& snapshot, const SessionStatus& status)
 void Panels::draw_floor(const Snapshot& snapshot, const SessionStatus& status) {
     has_floor_.follow(snapshot.has.floor, status);
     if (ImGui::Checkbox("light on the floor", &has_floor_.value))
-        chosen_ = has_floor_.sent = session_.compute(Part::floor, has_floor_.value);
+        chosen_ = has_floor_.sent = session_.compute(LightPart::floor, has_floor_.value);
     const std::optional<FloorSection>& floor = snapshot.scenario->floor;
     if (!floor) return;
     method_.follow(static_cast<int>(floor->method), status);
@@ -140,11 +140,11 @@ void Panels::draw_window(const FloorSection& floor, const SessionStatus& status)
 void Panels::draw_beams(const Snapshot& snapshot, const SessionStatus& status) {
     has_walls_.follow(snapshot.has.walls, status);
     if (ImGui::Checkbox("on the walls", &has_walls_.value))
-        chosen_ = has_walls_.sent = session_.compute(Part::walls, has_walls_.value);
+        chosen_ = has_walls_.sent = session_.compute(LightPart::walls, has_walls_.value);
     ImGui::SameLine();
     has_beams_.follow(snapshot.has.beams || snapshot.has.volume, status);
     if (ImGui::Checkbox("beams in the water", &has_beams_.value))
-        chosen_ = has_beams_.sent = session_.compute(Part::beams, has_beams_.value);
+        chosen_ = has_beams_.sent = session_.compute(LightPart::beams, has_beams_.value);
     const std::optional<BeamsSection>& beams = snapshot.scenario->beams;
     if (!beams) return;
     grid_.follow(as_array(beams->grid), status);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double longest_ms = 70, spare_ms = 35;  // at twice as long the interface is above ten pictures a second
 constexpr int most = 8;
-constexpr int settled = 2;  // pictures, after which a time counts: the first of a size allocates
+constexpr int settled_after = 2;  // pictures, after which a time counts: the first of a size allocates
 
 }  // namespace
 
@@ -17,7 +17,7 @@ glm::ivec2 PictureSize::of(glm::ivec2 window, int wished) const {
 }
 
 void PictureSize::learn(double draw_ms) {
-    if (++since_change_ < settled) return;
+    if (++since_change_ < settled_after) return;
     const int before = divisor_;
     const auto at_divisor = [&](int divisor) {
         const double finer = static_cast<double>(before) / divisor;

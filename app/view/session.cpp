@@ -338,7 +338,7 @@ Session::Ticket Session::look(const std::optional<BeamView>& view) {
     return impl_->send("look", Impl::Kind::last_counts, [=](Impl& s) { s.simulation->look(view); });
 }
 
-Session::Ticket Session::compute(Part part, bool on) {
+Session::Ticket Session::compute(LightPart part, bool on) {
     return impl_->send("compute", Impl::Kind::builds, [=](Impl& s) { s.simulation->compute(part, on); });
 }
 

@@ -89,7 +89,7 @@ class Session {
     Ticket look(const std::optional<BeamView>& view);
     /// Computes it from now on, or leaves it out. A section of the settings that is not there is added with its
     /// defaults; one that is left out stays.
-    Ticket compute(Part part, bool on);
+    Ticket compute(LightPart part, bool on);
     /// Lays "key=value" over the settings, as --set does: "waves.model=linear", "domain.cells=[256,192]",
     /// "caustics.floor.footprint=pixel", "caustics.beams.grid=[64,64]", "accuracy.estimate=true"; a key alone takes
     /// back what was laid over it. All of them or none. The water goes on where the new model can take its state: same

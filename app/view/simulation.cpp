@@ -49,11 +49,11 @@ std::optional<BeamView> view_of(const Scenario& scenario) {
     return BeamView{scenario.camera->camera, scenario.camera->samples, scenario.camera->reduction};
 }
 
-bool has_section(const Scenario& s, Part part) {
-    return part == Part::floor ? s.floor.has_value() : part == Part::beams ? s.beams.has_value() : s.walls.has_value();
+bool has_section(const Scenario& s, LightPart part) {
+    return part == LightPart::floor   ? s.floor.has_value()
+           : part == LightPart::beams ? s.beams.has_value()
+                                      : s.walls.has_value();
 }
-
-std::string key_of(const std::string& override) { return override.substr(0, override.find('=')); }
 
 /// Whether the key is of the water's motion.
 bool is_of_waves(const std::string& key) {
@@ -144,7 +144,7 @@ void Simulation::look(const std::optional<BeamView>& view) {
     is_trial_shown_ = false;
 }
 
-void Simulation::compute(Part part, bool on) {
+void Simulation::compute(LightPart part, bool on) {
     const auto n = static_cast<std::size_t>(part);
     const bool before = is_on_[n];
     is_on_[n] = on;
@@ -230,7 +230,7 @@ Simulation::Built Simulation::build(Scenario next, BackendDecision backend, Keep
 void Simulation::build_light(Built& built) const {
     built.light = std::make_unique<WaterLight>(built.scenario, built.water->built(), built.backend);
     built.light->look(view_);
-    for (std::size_t n = 0; n < is_on_.size(); ++n) built.light->compute(static_cast<Part>(n), is_on_[n]);
+    for (std::size_t n = 0; n < is_on_.size(); ++n) built.light->compute(static_cast<LightPart>(n), is_on_[n]);
 }
 
 /// Only what has shown its first frame takes the place of what runs.

@@ -30,7 +30,7 @@ class Simulation {
     void rain(std::optional<double> drops_per_m2_s);
     void sun(double elevation_deg, double azimuth_deg);
     void look(const std::optional<BeamView>& view);
-    void compute(Part part, bool on);
+    void compute(LightPart part, bool on);
     void reset();
     void set(const std::vector<std::string>& overrides);
     void set_device(const DeviceWish& device);

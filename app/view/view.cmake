@@ -12,3 +12,4 @@ add_library(waterlight_view STATIC
 target_link_libraries(waterlight_view
     PUBLIC waterlight_app waterlight::render waterlight_window
     PRIVATE waterlight_flags fmt::fmt)
+waterlight_together(waterlight_view)

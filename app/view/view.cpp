@@ -9,6 +9,7 @@
 
 #include "app/progress.hpp"
 #include "app/run.hpp"
+#include "app/timed.hpp"
 #include "app/view/controls.hpp"
 #include "app/view/panels.hpp"
 #include "app/view/picture_size.hpp"
@@ -26,8 +27,6 @@ namespace waterlight {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 std::string title_of(const Scenario& scenario, const std::filesystem::path& file) {
     return fmt::format("{} - waterlight", scenario.title.empty() ? file.stem().string() : scenario.title);

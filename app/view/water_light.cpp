@@ -64,9 +64,9 @@ void WaterLight::show(const Surface& surface, std::int64_t step, Snapshot& to) {
     to.has = {};
     to.costs.floor_ms = to.costs.beams_ms = to.costs.walls_ms = 0;
     to.floor_ledger = to.beams_ledger = to.walls_ledger = {};
-    if (floor_ && is_on(Part::floor)) show_floor(surface, now, to);
-    if (beams_ && is_on(Part::beams)) show_beams(surface, now, to);
-    if (walls_ && is_on(Part::walls)) show_walls(surface, now, to);
+    if (floor_ && is_on(LightPart::floor)) show_floor(surface, now, to);
+    if (beams_ && is_on(LightPart::beams)) show_beams(surface, now, to);
+    if (walls_ && is_on(LightPart::walls)) show_walls(surface, now, to);
 }
 
 void WaterLight::show_floor(const Surface& surface, const Instant& now, Snapshot& to) {
@@ -132,7 +132,7 @@ void WaterLight::show_walls(const Surface& surface, const Instant& now, Snapshot
 }
 
 void WaterLight::estimate(const Surface& surface, const FloorMap& map) {
-    if (!estimate_ || !is_on(Part::floor)) return;
+    if (!estimate_ || !is_on(LightPart::floor)) return;
     estimate_->compute(exact_surface(surface, formula_), map.irradiance);
     is_estimated_ = true;
 }

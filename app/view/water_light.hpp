@@ -22,7 +22,7 @@ struct BeamView {
 };
 
 /// What is computed of a frame, where the settings have it.
-enum class Part { floor, beams, walls };
+enum class LightPart { floor, beams, walls };
 
 class WaterLight {
   public:
@@ -32,7 +32,7 @@ class WaterLight {
 
     /// From now on.
     void look(const std::optional<BeamView>& view) { view_ = view; }
-    void compute(Part part, bool on) { is_on_[static_cast<std::size_t>(part)] = on; }
+    void compute(LightPart part, bool on) { is_on_[static_cast<std::size_t>(part)] = on; }
 
     /// Fills what the snapshot has of light, but for errors. Throws InputError where a setting does not go with the
     /// surface, WorldError where a number is not finite.
@@ -43,7 +43,7 @@ class WaterLight {
     void show_estimate(Snapshot& to) const;
 
   private:
-    bool is_on(Part part) const { return is_on_[static_cast<std::size_t>(part)]; }
+    bool is_on(LightPart part) const { return is_on_[static_cast<std::size_t>(part)]; }
     void show_floor(const Surface& surface, const Instant& now, Snapshot& to);
     void show_beams(const Surface& surface, const Instant& now, Snapshot& to);
     void show_walls(const Surface& surface, const Instant& now, Snapshot& to);

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -17,6 +16,7 @@
 
 #include "sim/shallow_initial.hpp"
 #include "sim/shallow_means.hpp"
+#include "tests/bench/seconds_of.hpp"
 
 namespace {
 
@@ -63,12 +63,6 @@ class Orders {
     int cells_ = 0;
     double error_ = 0;
 };
-
-double seconds_of(const std::function<void()>& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// A run from `state` over its own ground, not begun yet.
 ShallowWaterSettings settings_of(const ShallowExact& state, const Grid& grid, const ShallowSides& sides) {

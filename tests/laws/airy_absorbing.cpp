@@ -8,7 +8,7 @@
 namespace waterlight::testing {
 namespace {
 
-constexpr double length = 16;
+constexpr double tank_m = 16;
 constexpr int cells = 256;
 
 /// Waves towards +x over shallow or deep water, filling the domain at the start.
@@ -20,17 +20,17 @@ struct Leaving {
         water.depth_m = depth_m;
         return water;
     }
-    AbsorbingMargin margin() const { return make_margin(Side::absorbing, cells, length / cells, 0, water()); }
+    AbsorbingMargin margin() const { return make_margin(Side::absorbing, cells, tank_m / cells, 0, water()); }
     double wave_number() const { return 2 * pi / wavelength_m; }
     double transmitted() const { return transmitted_fraction(margin(), wave_number(), water()); }
 
     /// rms of the elevation after the wave has run once through domain and margins, over its first value.
     double remainder() const {
-        AirySettings settings = tank(cells, 4, length, 0.25, {Side::absorbing, Side::periodic}, depth_m);
+        AirySettings settings = tank(cells, 4, tank_m, 0.25, {Side::absorbing, Side::periodic}, depth_m);
         settings.sines = {{0.01, wavelength_m, 0, 0, false}};
         const auto model = make_airy(settings);
         const double before = rms_of(model->surface().elevation);
-        model->advance((length + 2 * margin().width_m) / airy_group_velocity(wave_number(), water()));
+        model->advance((tank_m + 2 * margin().width_m) / airy_group_velocity(wave_number(), water()));
         return rms_of(model->surface().elevation) / before;
     }
 };
@@ -38,8 +38,8 @@ struct Leaving {
 /// Share of the amplitude that comes back from the far side of the domain when a wavemaker sends steady waves, by least
 /// squares of elevation = a exp(ikx - iwt) + b exp(-ikx - iwt).
 double reflected_fraction(double wavelength, double depth, bool along_x, Side other) {
-    AirySettings settings = along_x ? tank(cells, 4, length, 0.25, {Side::absorbing, other}, depth)
-                                    : tank(4, cells, 0.25, length, {other, Side::absorbing}, depth);
+    AirySettings settings = along_x ? tank(cells, 4, tank_m, 0.25, {Side::absorbing, other}, depth)
+                                    : tank(4, cells, 0.25, tank_m, {other, Side::absorbing}, depth);
     const double k = 2 * pi / wavelength, period = 2 * pi / airy_omega(k, settings.water);
     const glm::dvec2 from = along_x ? glm::dvec2{4, 0} : glm::dvec2{0, 4},
                      to = along_x ? glm::dvec2{4, 0.25} : glm::dvec2{0.25, 4};
@@ -57,7 +57,7 @@ double reflected_fraction(double wavelength, double depth, bool along_x, Side ot
     std::complex<double> a = 0, b = 0, overlap = 0;
     double count = 0;
     for (int i = 160; i < cells; ++i, ++count) {
-        const auto onward = std::polar(1.0, k * (i + 0.5) * length / cells);
+        const auto onward = std::polar(1.0, k * (i + 0.5) * tank_m / cells);
         a += std::conj(onward) * harmonic[i];
         b += onward * harmonic[i];
         overlap += std::conj(onward) * std::conj(onward);

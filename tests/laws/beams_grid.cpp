@@ -3,14 +3,13 @@
 
 #include "caustics/beams.hpp"
 #include "caustics/kernels/optics.hpp"
+#include "tests/support/sides.hpp"
 #include "tests/support/surfaces.hpp"
 
 namespace waterlight {
 namespace {
 
 using namespace test;
-
-constexpr Boundary periodic{Side::periodic, Side::periodic};
 
 Beams beams_of(const Surface& surface, glm::ivec2 grid, double elevation_deg, double azimuth_deg = 25) {
     BeamSettings s;

@@ -7,14 +7,13 @@
 #include "caustics/beam_volume.hpp"
 #include "caustics/kernels/optics.hpp"
 #include "sim/bathymetry.hpp"
+#include "tests/support/sides.hpp"
 #include "tests/support/surfaces.hpp"
 
 namespace waterlight {
 namespace {
 
 using namespace test;
-
-constexpr Boundary periodic{Side::periodic, Side::periodic};
 
 std::shared_ptr<const BeamGround> ground_of(const Grid& grid, Boundary boundary, double depth_m, Ground shape) {
     const Field<double> exact = ground_heights({.depth_m = depth_m, .file = std::nullopt, .shapes = {{shape}}}, grid);

@@ -8,14 +8,13 @@
 #include "caustics/beam_refine.hpp"
 #include "caustics/kernels/optics.hpp"
 #include "caustics/kernels/phase.hpp"
+#include "tests/support/sides.hpp"
 #include "tests/support/surfaces.hpp"
 
 namespace waterlight {
 namespace {
 
 using namespace test;
-
-constexpr Boundary walls{Side::wall, Side::wall};
 
 /// Flat water 10 m long between walls, b = .05, c = .15, Henyey & Greenstein g = .9, E0 = 1.
 struct FlatPool {

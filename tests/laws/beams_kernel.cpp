@@ -15,7 +15,7 @@ namespace {
 
 using glm::dvec2;
 using glm::dvec3;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double cross2(dvec2 a, dvec2 b) { return a.x * b.y - a.y * b.x; }
 

@@ -6,14 +6,13 @@
 #include "caustics/beam_volume.hpp"
 #include "caustics/kernels/optics.hpp"
 #include "caustics/kernels/phase.hpp"
+#include "tests/support/sides.hpp"
 #include "tests/support/surfaces.hpp"
 
 namespace waterlight {
 namespace {
 
 using namespace test;
-
-constexpr Boundary periodic{Side::periodic, Side::periodic};
 
 TEST(ReflectedLight, LeavesUnderTheAngleAtWhichItCame) {
     for (const glm::dvec2 slope : {glm::dvec2{0, 0}, {.1, -.2}, {-.3, .05}}) {

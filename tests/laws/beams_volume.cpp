@@ -6,14 +6,13 @@
 #include "caustics/beam_point.hpp"
 #include "caustics/beam_volume.hpp"
 #include "caustics/kernels/optics.hpp"
+#include "tests/support/sides.hpp"
 #include "tests/support/surfaces.hpp"
 
 namespace waterlight {
 namespace {
 
 using namespace test;
-
-constexpr Boundary periodic{Side::periodic, Side::periodic};
 
 double mean(std::span<const float> values) {
     double sum = 0;

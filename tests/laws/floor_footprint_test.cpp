@@ -12,12 +12,6 @@ namespace {
 
 using namespace test;
 
-FloorMap map_of(const FloorSettings& settings, const Surface& surface) {
-    FloorMap map;
-    make_floor_cpu(settings)->compute(surface, map);
-    return map;
-}
-
 /// Percent, of the adaptive footprint through its own window.
 double error_of(const FloorScene& scene, int per_wave) {
     const SolvedFloor solved = solve(scene, per_wave);

@@ -7,27 +7,18 @@
 
 #include "caustics/kernels/optics.hpp"
 #include "sim/error.hpp"
-#include "tests/support/surfaces.hpp"
+#include "tests/support/floor_scenes.hpp"
 
 namespace waterlight {
 namespace {
 
 using namespace test;
 
-constexpr Boundary periodic{Side::periodic, Side::periodic};
-constexpr Boundary walls{Side::wall, Side::wall};
-
 FloorSettings settings_for(const Grid& grid, int width, int height, double elevation_deg) {
     FloorSettings s;
     s.plan = cover(grid, width, height);
     s.sun = {elevation_deg, 30, 1};
     return s;
-}
-
-FloorMap map_of(const FloorSettings& settings, const Surface& surface) {
-    FloorMap map;
-    make_floor_cpu(settings)->compute(surface, map);
-    return map;
 }
 
 double mean(const Field<float>& f) {

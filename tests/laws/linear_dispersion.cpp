@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/linear_runs.hpp"
+#include "tests/support/sides.hpp"
 
 namespace waterlight {
 namespace {
@@ -35,8 +36,8 @@ TEST_P(Seiche, ObeysTheDiscreteDispersionRelation) {
     }
 }
 
-constexpr Boundary walls{Side::wall, Side::wall};
-constexpr Boundary periodic{Side::periodic, Side::periodic};
+using test::periodic;
+using test::walls;
 INSTANTIATE_TEST_SUITE_P(Modes, Seiche,
                          ::testing::Values(SeicheCase{32, 24, 1, 0, walls}, SeicheCase{64, 48, 3, 2, walls},
                                            SeicheCase{100, 37, 17, 9, walls}, SeicheCase{48, 64, 47, 63, walls},

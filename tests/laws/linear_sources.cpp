@@ -3,6 +3,7 @@
 #include <omp.h>
 
 #include "tests/support/linear_runs.hpp"
+#include "tests/support/sides.hpp"
 
 namespace waterlight {
 namespace {
@@ -10,8 +11,8 @@ namespace {
 using testing::basin;
 using testing::sum_of_elevation;
 
-constexpr Boundary walls{Side::wall, Side::wall};
-constexpr Boundary periodic{Side::periodic, Side::periodic};
+using test::periodic;
+using test::walls;
 
 LinearSettings busy_pool(int nx, int ny, Boundary boundary) {
     LinearSettings settings = basin(nx, ny, 2.0, 2.0 * ny / nx, boundary);

@@ -4,13 +4,14 @@
 #include "sim/error.hpp"
 #include "sim/random.hpp"
 #include "tests/support/linear_runs.hpp"
+#include "tests/support/sides.hpp"
 
 namespace waterlight {
 namespace {
 
 using testing::basin;
 
-constexpr Boundary walls{Side::wall, Side::wall};
+using test::walls;
 
 LinearSettings splash(int nx, int ny, Boundary boundary) {
     LinearSettings settings = basin(nx, ny, 2.0, 2.0 * ny / nx, boundary);

@@ -13,7 +13,7 @@
 namespace waterlight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 PlacedObjects placed(Object object, double time_s = 0) {
     return {std::make_shared<ObjectSet>(std::vector<Object>{std::move(object)}), time_s};

@@ -13,7 +13,7 @@ namespace {
 using namespace test;
 using Branching = PhotonOptions::Branching;
 using Start = PhotonOptions::Start;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Where parallel light of 1 W/m2 from straight above lands on the plane `below` the centre of a sphere of radius 1 and
 /// relative index n: power on the pixels of a square about the axis. A ray at the distance h from the axis meets the

@@ -5,12 +5,12 @@
 #include <numbers>
 
 #include "tests/support/photon_maps.hpp"
+#include "tests/support/sides.hpp"
 
 namespace waterlight {
 namespace {
 
 using namespace test;
-constexpr Boundary open_sides{Side::absorbing, Side::absorbing};
 
 PhotonSettings under(const Lamp& lamp, const Grid& grid, double index) {
     PhotonSettings s = photons_over(grid, 32, 32, 90);

@@ -7,6 +7,7 @@
 
 #include "caustics/kernels/optics.hpp"
 #include "tests/support/photon_stage.hpp"
+#include "tests/support/sides.hpp"
 
 namespace waterlight {
 namespace {
@@ -14,8 +15,7 @@ namespace {
 using namespace test;
 using Branching = PhotonOptions::Branching;
 using Start = PhotonOptions::Start;
-constexpr double pi = std::numbers::pi;
-constexpr Boundary open_sides{Side::absorbing, Side::absorbing};
+using std::numbers::pi;
 
 TEST(PhotonObjects, AMirrorRingsCaustic) {
     // Parallel light in a circle is reflected into a nephroid, its cusp at half the radius before the mirror (a

@@ -20,13 +20,13 @@ using namespace test;
 using Start = PhotonOptions::Start;
 using Branching = PhotonOptions::Branching;
 
-const Grid grid = make_grid(128, 128, 1, 1);
+const Grid unit_square = make_grid(128, 128, 1, 1);
 const Formula formula = sines({{.006, .5, 0}, {.004, .5, 90}});
 
-Surface waves() { return sample(grid, {}, formula); }
+Surface waves() { return sample(unit_square, {}, formula); }
 
 PhotonSettings with_ball(Branching branching) {
-    PhotonSettings s = photons_over(grid, 32, 32, 60);
+    PhotonSettings s = photons_over(unit_square, 32, 32, 60);
     s.floor.objects = objects({{.name = "ball",
                                 .shape = Sphere{0.2},
                                 .material = {.type = Material::Type::glass, .absorption_per_m = 0.3},
@@ -87,8 +87,8 @@ TEST(PhotonPasses, ThreeAndFiveAreEight) {
 TEST(PhotonPasses, DrawAnew) {
     // Independent passes: their mean is off by 1 / sqrt(passes).
     const Surface surface = waves();
-    PhotonSettings s = photons_over(grid, 32, 32, 70);
-    const TruthMap truth = truth_map({.floor = s.floor, .tolerance = 2e-4}, as_truth(grid, {}, formula));
+    PhotonSettings s = photons_over(unit_square, 32, 32, 70);
+    const TruthMap truth = truth_map({.floor = s.floor, .tolerance = 2e-4}, as_truth(unit_square, {}, formula));
     s.options.map = 64;
     const double one = relative_rmse(photon_map(s, surface).map.irradiance, truth.irradiance);
     s.options.passes = 16;
@@ -174,8 +174,8 @@ TEST(PhotonBlur, LeavesOfWhiteNoiseOneOverTwoRootPiSigma) {
 }
 
 TEST(PhotonBlur, ItsBiasIsHalfItsVarianceTimesTheLaplacian) {
-    PhotonSettings s = photons_over(grid, 128, 128, 70);
-    const TruthMap truth = truth_map({.floor = s.floor, .tolerance = 2e-4}, as_truth(grid, {}, formula));
+    PhotonSettings s = photons_over(unit_square, 128, 128, 70);
+    const TruthMap truth = truth_map({.floor = s.floor, .tolerance = 2e-4}, as_truth(unit_square, {}, formula));
     double last = 0;
     for (const double sigma : {1.0, 2.0, 4.0}) {
         const BlurSettings settings{sigma, true, true};
@@ -193,8 +193,8 @@ TEST(PhotonBlur, ItsBiasIsHalfItsVarianceTimesTheLaplacian) {
 
 TEST(PhotonBlur, TradesNoiseForBias) {
     const Surface surface = waves();
-    PhotonSettings s = photons_over(grid, 128, 128, 70);
-    const TruthMap truth = truth_map({.floor = s.floor, .tolerance = 2e-4}, as_truth(grid, {}, formula));
+    PhotonSettings s = photons_over(unit_square, 128, 128, 70);
+    const TruthMap truth = truth_map({.floor = s.floor, .tolerance = 2e-4}, as_truth(unit_square, {}, formula));
     s.options = {.start = Start::surface, .map = 128, .passes = 4};
     const PhotonResult raw = photon_map(s, surface);
     s.options.blur_pixels = 2;
@@ -213,7 +213,7 @@ TEST(PhotonBlur, TradesNoiseForBias) {
 
 TEST(PhotonSettings, AreRefusedWhereOutOfRange) {
     const auto refused = [](const std::function<void(PhotonSettings&)>& spoil) {
-        PhotonSettings s = photons_over(grid, 4, 4, 60);
+        PhotonSettings s = photons_over(unit_square, 4, 4, 60);
         spoil(s);
         EXPECT_THROW(make_photon_floor(s), InputError);
     };
@@ -232,7 +232,7 @@ TEST(PhotonSettings, AreRefusedWhereOutOfRange) {
         s.lamp = Lamp{};
         s.options.start = Start::surface;
     });
-    PhotonSettings s = photons_over(grid, 4, 4, 60);
+    PhotonSettings s = photons_over(unit_square, 4, 4, 60);
     s.bed_m = std::make_shared<const Field<float>>(3, 3);
     FloorMap map;
     EXPECT_THROW(make_photon_floor(s)->compute(waves(), map), InputError);
@@ -246,7 +246,7 @@ TEST(PhotonSettings, AreRefusedWhereOutOfRange) {
 
 TEST(PhotonSettings, WithoutLightTheMapIsDark) {
     for (const bool lamp : {false, true}) {
-        PhotonSettings s = photons_over(grid, 4, 4, -5);
+        PhotonSettings s = photons_over(unit_square, 4, 4, -5);
         if (lamp) s.lamp = Lamp{.intensity_w_sr = 0};
         const FloorMap map = photon_map(s, waves()).map;
         for (const float e : map.irradiance.values()) EXPECT_EQ(e, 0);

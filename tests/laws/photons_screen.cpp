@@ -7,13 +7,13 @@
 #include "caustics/kernels/optics.hpp"
 #include "caustics/photons/screen_buffer.hpp"
 #include "tests/support/photon_maps.hpp"
+#include "tests/support/sides.hpp"
 #include "tests/support/surfaces.hpp"
 
 namespace waterlight {
 namespace {
 
 using namespace test;
-constexpr Boundary open_sides{Side::absorbing, Side::absorbing};
 
 /// Still water that is not to be seen, with one diffuse ball of radius .3 m above the floor at z = -1.
 struct Scene {

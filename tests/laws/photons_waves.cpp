@@ -8,6 +8,7 @@
 #include "caustics/relief.hpp"
 #include "caustics/truth.hpp"
 #include "tests/support/photon_maps.hpp"
+#include "tests/support/sides.hpp"
 #include "tests/support/surfaces.hpp"
 
 namespace waterlight {
@@ -16,7 +17,6 @@ namespace {
 using namespace test;
 using Start = PhotonOptions::Start;
 
-constexpr Boundary periodic{Side::periodic, Side::periodic};
 constexpr Start both_starts[] = {Start::surface, Start::light};
 
 /// Waves of .5 m, before their focus at this depth, finely sampled.

@@ -8,8 +8,9 @@
 namespace waterlight {
 namespace {
 
-constexpr double pi = std::numbers::pi, n = 4.0 / 3.0, depth = 2, scattering = 0.08, absorption = 0.12, g = 0.7,
-                 wall_albedo = 0.6;
+using std::numbers::pi;
+using test::n_water;
+constexpr double depth = 2, scattering = 0.08, absorption = 0.12, g = 0.7, wall_albedo = 0.6;
 const glm::dvec3 colour{0.34, 0.06, 0.01};
 
 /// One colour below flat water under a slanting sun.
@@ -19,14 +20,16 @@ struct Calm {
 
     double c() const { return absorption + scattering + added; }
     double sine() const { return std::cos(sun.elevation_deg * pi / 180); }
-    double mu_s() const { return std::sqrt(1 - sine() * sine() / (n * n)); }
+    double mu_s() const { return std::sqrt(1 - sine() * sine() / (n_water * n_water)); }
     /// The unit vector of the light in the water.
     glm::dvec3 light() const {
         const glm::dvec3 s = sun.direction();
-        return {s.x / n, s.y / n, -mu_s()};
+        return {s.x / n_water, s.y / n_water, -mu_s()};
     }
     /// The sun's just below the surface, on a horizontal plane.
-    double entering() const { return sun.irradiance_w_m2 * -sun.direction().z * (1 - test::reflectance(sine(), n)); }
+    double entering() const {
+        return sun.irradiance_w_m2 * -sun.direction().z * (1 - test::reflectance(sine(), n_water));
+    }
     double direct(double z) const { return entering() * std::exp(c() * z / mu_s()); }
 
     /// Diffuse light on the floor: the sky's, less what absorption takes on 1.2 times the depth, and the surface's
@@ -34,8 +37,9 @@ struct Calm {
     double diffuse_on_floor() const {
         double r_ext = 0;
         constexpr int parts = 4000;
-        for (int k = 0; k < parts; ++k) r_ext += test::reflectance(std::sqrt((k + 0.5) / parts), n) / parts;
-        const double returned = 1 - (1 - r_ext) / (n * n), passage = std::exp(-1.2 * (absorption + added) * depth);
+        for (int k = 0; k < parts; ++k) r_ext += test::reflectance(std::sqrt((k + 0.5) / parts), n_water) / parts;
+        const double returned = 1 - (1 - r_ext) / (n_water * n_water),
+                     passage = std::exp(-1.2 * (absorption + added) * depth);
         double sum = passage * (1 - r_ext) * sky, sent = direct(-depth) + sum;
         for (int k = 0; k < 60; ++k) {
             sent *= albedo * passage * passage * returned;
@@ -58,7 +62,7 @@ struct Calm {
 };
 
 glm::dvec3 refracted(glm::dvec3 d) {
-    const glm::dvec2 level = glm::dvec2(d) / n;
+    const glm::dvec2 level = glm::dvec2(d) / n_water;
     return {level, -std::sqrt(1 - glm::dot(level, level))};
 }
 
@@ -69,7 +73,7 @@ class PictureCalm : public GpuTest {
     Sun sun{.elevation_deg = 50, .azimuth_deg = 180, .irradiance_w_m2 = 900};
     double floor_albedo = 0.5, sky = 300, tolerance = 0.005;
     const WaterOptics optics{
-        .refractive_index = n, .absorption_per_m = absorption, .scattering_per_m = scattering, .phase = {.g = g}};
+        .refractive_index = n_water, .absorption_per_m = absorption, .scattering_per_m = scattering, .phase = {.g = g}};
     BeamVolume* volume = nullptr;
     BeamImage* beams = nullptr;
 
@@ -123,9 +127,9 @@ class PictureCalm : public GpuTest {
 
 double above(const Calm& calm, glm::dvec3 d) {
     const glm::dvec3 r = refracted(d);
-    const double reflected = test::reflectance(std::sqrt(1 - d.z * d.z), n);
+    const double reflected = test::reflectance(std::sqrt(1 - d.z * d.z), n_water);
     const double below = calm.through(calm.floor(), 0, r, depth / -r.z);
-    return reflected * calm.sky / pi + (1 - reflected) / (n * n) * below;
+    return reflected * calm.sky / pi + (1 - reflected) / (n_water * n_water) * below;
 }
 
 TEST_F(PictureCalm, FloorSeenFromAboveAtManyAngles) {
@@ -162,7 +166,7 @@ TEST_F(PictureCalm, AWallSeenFromAbove) {
         const glm::dvec3 r = refracted(d), at = meeting(d);
         const double irradiance = calm.direct(at.z) / calm.mu_s() * calm.light().x;
         const double below = calm.through(wall_albedo / pi * irradiance, 0, r, at.z / r.z);
-        return (1 - test::reflectance(std::sqrt(1 - d.z * d.z), n)) / (n * n) * below;
+        return (1 - test::reflectance(std::sqrt(1 - d.z * d.z), n_water)) / (n_water * n_water) * below;
     };
     expect_law(Side::wall, camera, law, on_wall);
 }
@@ -172,16 +176,16 @@ TEST_F(PictureCalm, SeenFromBelow) {
     constexpr double z = -0.8;
     const auto law = [](const Calm& calm, glm::dvec3 d) {
         if (d.z < 0) return calm.through(calm.floor(), z, d, (depth + z) / -d.z);
-        const double reflected = test::reflectance(std::sqrt(1 - d.z * d.z), 1 / n);
+        const double reflected = test::reflectance(std::sqrt(1 - d.z * d.z), 1 / n_water);
         const double mirrored = calm.through(calm.floor(), 0, {d.x, d.y, -d.z}, depth / d.z);
-        const double surface = n * n * (1 - reflected) * calm.sky / pi + reflected * mirrored;
+        const double surface = n_water * n_water * (1 - reflected) * calm.sky / pi + reflected * mirrored;
         return calm.through(surface, z, d, -z / d.z);
     };
     // The sun itself, the window's edge and what is as good as level are seen by other tests.
     const auto where = [this](glm::dvec3 d) {
         const double sine = std::sqrt(1 - d.z * d.z);
         const Calm calm{floor_albedo, sky, 0, sun};
-        return std::abs(d.z) > 0.05 && std::abs(n * sine - 1) > 0.01 && glm::dot(d, calm.light()) > -0.995;
+        return std::abs(d.z) > 0.05 && std::abs(n_water * sine - 1) > 0.01 && glm::dot(d, calm.light()) > -0.995;
     };
     for (const glm::dvec3 target : {glm::dvec3{5, 3, -0.2}, {5, 3.3, -1.3}, {4, 4, 0.5}, {2.5, 3, -0.8}})
         expect_law(Side::periodic, camera_at({4, 3, z}, target, {33, 25}), law, where);

@@ -13,7 +13,7 @@
 namespace waterlight {
 namespace {
 
-constexpr double depth_m = 2, tile_m = 0.5;
+constexpr double water_m = 2, tile_m = 0.5;
 
 /// A place in the middle between two corners of tiles, on a joint along `along`, with others a tile off `across`.
 struct Joint {
@@ -24,8 +24,8 @@ std::vector<Joint> floor_joints() {
     std::vector<Joint> all;
     for (int k = -8; k < 24; ++k)
         for (int l = -8; l < 24; ++l) {
-            all.push_back({{k * tile_m, (l + 0.5) * tile_m, -depth_m}, {0, 1, 0}, {1, 0, 0}});
-            all.push_back({{(l + 0.5) * tile_m, k * tile_m, -depth_m}, {1, 0, 0}, {0, 1, 0}});
+            all.push_back({{k * tile_m, (l + 0.5) * tile_m, -water_m}, {0, 1, 0}, {1, 0, 0}});
+            all.push_back({{(l + 0.5) * tile_m, k * tile_m, -water_m}, {1, 0, 0}, {0, 1, 0}});
         }
     return all;
 }
@@ -48,7 +48,7 @@ class PictureJoints : public GpuTest {
     Radiance draw(const Surface& surface, const Camera& camera, double n) {
         Scene scene;
         scene.surface = &surface;
-        scene.depth_m = depth_m;
+        scene.depth_m = water_m;
         scene.sun = {.elevation_deg = 40, .azimuth_deg = 180, .irradiance_w_m2 = 900};
         scene.optics.refractive_index = n;
         Look look = plain_look(0.8);

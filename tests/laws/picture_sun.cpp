@@ -9,7 +9,9 @@
 namespace waterlight {
 namespace {
 
-constexpr double pi = std::numbers::pi, n = 4.0 / 3.0, e0 = 900;
+using std::numbers::pi;
+using test::n_water;
+constexpr double e0 = 900;
 
 /// What a picture holds of the sun: irradiance across the sight, and its centre.
 struct Spot {
@@ -49,15 +51,15 @@ TEST_F(PictureSun, FromBelowIsWhereSnellPutsItAndAsBrightAsFresnelLetsIt) {
     for (const double elevation : {20.0, 50.0, 80.0}) {
         const Sun sun{.elevation_deg = elevation, .azimuth_deg = 30, .irradiance_w_m2 = e0};
         const glm::dvec3 s = sun.direction();
-        const double sine = std::sqrt(1 - s.z * s.z), mu = std::sqrt(1 - sine * sine / (n * n));
-        const glm::dvec3 towards{-s.x / n, -s.y / n, mu}, eye{4, 3, -1};
+        const double sine = std::sqrt(1 - s.z * s.z), mu = std::sqrt(1 - sine * sine / (n_water * n_water));
+        const glm::dvec3 towards{-s.x / n_water, -s.y / n_water, mu}, eye{4, 3, -1};
         // Half a degree across; 0.02 degrees a pixel; the picture's middle is a little beside it.
         Camera camera = camera_at(eye, eye + towards + glm::dvec3{0.01, 0.005, 0}, {201, 201});
         camera.fov_deg = 4;
         const Spot spot = draw(surface, sun, camera);
         const glm::dvec2 off = spot.centre - test::pixel_of(camera, eye + towards);
         EXPECT_LT(glm::length(off), 0.5) << "sun at " << elevation;
-        EXPECT_NEAR(spot.power / (e0 * (1 - test::reflectance(sine, n)) * -s.z / mu), 1, 0.02)
+        EXPECT_NEAR(spot.power / (e0 * (1 - test::reflectance(sine, n_water)) * -s.z / mu), 1, 0.02)
             << "sun at " << elevation;
     }
 }
@@ -90,7 +92,7 @@ double glint_power(const Sun& sun, double steepest) {
     const glm::dvec3 l = -sun.direction();
     return e0 * mean_over_slopes(steepest, [&](glm::dvec3 normal) {
                const double cos_i = glm::dot(l, normal), v_z = 2 * cos_i * normal.z - l.z;
-               return test::reflectance(std::sqrt(1 - cos_i * cos_i), n) * cos_i / (normal.z * v_z);
+               return test::reflectance(std::sqrt(1 - cos_i * cos_i), n_water) * cos_i / (normal.z * v_z);
            });
 }
 
@@ -99,8 +101,9 @@ double shine_power(const Sun& sun, double steepest) {
     const glm::dvec3 s = sun.direction();
     return e0 * mean_over_slopes(steepest, [&](glm::dvec3 normal) {
                const double cos_i = -glm::dot(s, normal), sine = std::sqrt(1 - cos_i * cos_i);
-               const double fall = -(s.z / n + (cos_i / n - std::sqrt(1 - sine * sine / (n * n))) * normal.z);
-               return (1 - test::reflectance(sine, n)) * cos_i / (normal.z * fall);
+               const double fall =
+                   -(s.z / n_water + (cos_i / n_water - std::sqrt(1 - sine * sine / (n_water * n_water))) * normal.z);
+               return (1 - test::reflectance(sine, n_water)) * cos_i / (normal.z * fall);
            });
 }
 
@@ -122,7 +125,7 @@ TEST_F(PictureSun, GlintOnWavesHasThePowerOfTheirSlopesAtAnyResolution) {
 
 TEST_F(PictureSun, SeenThroughWavesHasThePowerThatTheyLetInAtAnyResolution) {
     const Sun sun{.elevation_deg = 60, .azimuth_deg = 180, .irradiance_w_m2 = e0};
-    const double tangent = 0.5 / std::sqrt(n * n - 0.25);  // of the angle in flat water
+    const double tangent = 0.5 / std::sqrt(n_water * n_water - 0.25);  // of the angle in flat water
     const glm::dvec3 eye{4 + 60 * tangent, 4, -60};
     // What facets hide of each other and show of themselves is known to 10 % (render/kernels/view_ray.glsl): of steep
     // waves as much as that.

@@ -10,7 +10,7 @@
 namespace waterlight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 GerstnerSea one_wave(double k, double steepness) { return GerstnerSea({{{k, 0}, steepness / k, 3.0, 0.0}}); }
 

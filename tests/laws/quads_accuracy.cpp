@@ -42,7 +42,7 @@ Errors errors_of(const FloorScene& scene, int per_wave) {
     return errors;
 }
 
-struct Case {
+struct SceneCase {
     const char* name;
     FloorScene scene;
     double order;      ///< at least, from 32 to 128 pixels a wave
@@ -52,12 +52,12 @@ struct Case {
 TEST(Quads, ConvergeToTheTruthInEveryScene) {
     FloorScene deep = crate(8);
     deep.truth_tolerance = 1e-3;
-    for (const Case& c : {Case{"crate_1", crate(1), 1.3, 0.05},
-                          {"crate_3", crate(3), 1.2, 0.25},
-                          {"crate_8", deep, 1.5, 3.5},
-                          {"crossed_1", crossed(1), 1.4, 0.03},
-                          {"crossed_3", crossed(3), 1.4, 0.15},
-                          {"skew", skew(0), 1.0, 1.5}}) {
+    for (const SceneCase& c : {SceneCase{"crate_1", crate(1), 1.3, 0.05},
+                               {"crate_3", crate(3), 1.2, 0.25},
+                               {"crate_8", deep, 1.5, 3.5},
+                               {"crossed_1", crossed(1), 1.4, 0.03},
+                               {"crossed_3", crossed(3), 1.4, 0.15},
+                               {"skew", skew(0), 1.0, 1.5}}) {
         double coarse = 0, fine = 0;
         for (const int per_wave : {32, 64, 128}) {
             const Errors e = errors_of(c.scene, per_wave);

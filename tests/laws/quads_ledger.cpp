@@ -33,18 +33,18 @@ Formula calm_sides() {
 
 const Grid grid = make_grid(240, 180, 2.4, 1.8);
 
-struct Case {
+struct MapCase {
     const char* name;
     Boundary boundary;
     FloorPlan plan;
 };
-std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
+std::ostream& operator<<(std::ostream& out, const MapCase& c) { return out << c.name; }
 
 constexpr Side round = Side::periodic, wall = Side::wall, open = Side::absorbing;
 const FloorPlan whole = cover(grid, 160, 120), part{60, 50, {.7, .5}, {.012, .01}, 0},
                 turned{120, 110, {.7, -.2}, {.015, .013}, 33};
 
-FloorSettings settings_of(const Case& c) {
+FloorSettings settings_of(const MapCase& c) {
     FloorSettings s;
     s.plan = c.plan;
     s.sun = {50, 205, 1000};
@@ -53,10 +53,10 @@ FloorSettings settings_of(const Case& c) {
     return s;
 }
 
-Surface surface_of(const Case& c) { return sample(grid, c.boundary, calm_sides()); }
+Surface surface_of(const MapCase& c) { return sample(grid, c.boundary, calm_sides()); }
 
 /// calm_sides() as it goes on beyond the sides.
-TruthSurface truth_of(const Case& c) {
+TruthSurface truth_of(const MapCase& c) {
     return as_truth(grid, c.boundary, [b = c.boundary](glm::dvec2 at) {
         const glm::dvec2 size{2.4, 1.8};
         if (beyond(b.x, 0, size.x, at.x) || beyond(b.y, 0, size.y, at.y)) return SurfacePoint{};
@@ -64,7 +64,7 @@ TruthSurface truth_of(const Case& c) {
     });
 }
 
-class QuadsOnMaps : public testing::TestWithParam<Case> {};
+class QuadsOnMaps : public testing::TestWithParam<MapCase> {};
 
 TEST_P(QuadsOnMaps, AreTheTruth) {
     const FloorSettings s = settings_of(GetParam());
@@ -99,13 +99,13 @@ TEST_P(QuadsOnMaps, HaveTheLedgerOfTheTwoPassMap) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, QuadsOnMaps,
-    testing::Values(Case{"periodic", {round, round}, whole}, Case{"walls", {wall, wall}, whole},
-                    Case{"absorbing", {open, open}, whole}, Case{"mixed", {wall, round}, whole},
-                    Case{"mixed_too", {open, wall}, whole}, Case{"part_of_periodic", {round, round}, part},
-                    Case{"part_of_walls", {wall, wall}, part}, Case{"turned_periodic", {round, round}, turned},
-                    Case{"turned_walls", {wall, wall}, turned}, Case{"turned_absorbing", {open, open}, turned},
-                    Case{"turned_mixed", {wall, open}, turned}),
-    [](const testing::TestParamInfo<Case>& c) { return c.param.name; });
+    testing::Values(MapCase{"periodic", {round, round}, whole}, MapCase{"walls", {wall, wall}, whole},
+                    MapCase{"absorbing", {open, open}, whole}, MapCase{"mixed", {wall, round}, whole},
+                    MapCase{"mixed_too", {open, wall}, whole}, MapCase{"part_of_periodic", {round, round}, part},
+                    MapCase{"part_of_walls", {wall, wall}, part}, MapCase{"turned_periodic", {round, round}, turned},
+                    MapCase{"turned_walls", {wall, wall}, turned}, MapCase{"turned_absorbing", {open, open}, turned},
+                    MapCase{"turned_mixed", {wall, open}, turned}),
+    [](const testing::TestParamInfo<MapCase>& c) { return c.param.name; });
 
 TEST(QuadsLedger, NoLightIsLostWhereQuadsFoldToLinesAndTurnOver) {
     for (const double depth : {2.523, 8.0, 30.0}) {

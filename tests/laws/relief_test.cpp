@@ -6,14 +6,13 @@
 #include "caustics/kernels/optics.hpp"
 #include "caustics/truth.hpp"
 #include "sim/error.hpp"
+#include "tests/support/sides.hpp"
 #include "tests/support/surfaces.hpp"
 
 namespace waterlight {
 namespace {
 
 using namespace test;
-
-constexpr Boundary walled{Side::wall, Side::wall}, periodic{Side::periodic, Side::periodic};
 
 template <class Height>
 ReliefSettings settings_for(const Grid& grid, int width, int height, double elevation_deg, Height bed) {
@@ -36,7 +35,7 @@ FloorMap map_of(ReliefSettings settings, const Surface& surface) {
 // is 1 + g M times as dense a horizontal metre, and cos(slope) of that a metre of ground.
 TEST(Relief, AFlatWatersLightOnAPlaneSlopeHasTheClosedForm) {
     const Grid grid = make_grid(80, 60, 4, 3);
-    const Surface surface = sample(grid, walled, flat);
+    const Surface surface = sample(grid, walls, flat);
     const f64::Refraction r = f64::refract_sun(Sun{50, 200, 1}.direction(), {0, 0}, 4.0 / 3, 1);
     for (const double g : {-.3, .2, .5}) {
         ReliefSettings s = settings_for(grid, 160, 120, 50, [g](double x, double) { return -1.5 + g * (x - 2); });
@@ -107,7 +106,7 @@ TEST(Relief, BeyondAnAbsorbingSideStillWaterLightsTheMap) {
 
 TEST(Relief, RefusesAPlanBesideTheDomainAndGroundOfOtherCells) {
     const Grid grid = make_grid(8, 8, 1, 1);
-    const Surface surface = sample(grid, walled, flat);
+    const Surface surface = sample(grid, walls, flat);
     const auto deep = [](double, double) { return -1.0; };
     ReliefSettings s = settings_for(grid, 8, 8, 90, deep);
     s.floor.plan.origin_m.x = .5;

@@ -18,8 +18,7 @@ namespace {
 
 using namespace test;
 
-constexpr double pi = std::numbers::pi, radius = .3, disc = pi * radius * radius;
-const glm::dvec3 in_water{1.7, 1.4, -.9}, in_air{1.7, 1.4, .8};
+using std::numbers::pi;
 
 /// What of light at z the ball stops, by area: everything below it, a smaller circle where the sun is overhead.
 double shadow_of_ball(const ShadowPool& pool, double z) {
@@ -161,9 +160,6 @@ TEST_P(Suns, PlacesBehindTheBallAreDarkToItsEdge) {
     }
 }
 
-std::string elevation_of(const testing::TestParamInfo<double>& sun) {
-    return "at_" + std::to_string(static_cast<int>(sun.param));
-}
 INSTANTIATE_TEST_SUITE_P(ShadowBeams, Suns, testing::Values(90.0, 45.0, 20.0), elevation_of);
 
 }  // namespace

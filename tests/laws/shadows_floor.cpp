@@ -11,14 +11,14 @@
 #include "caustics/quads.hpp"
 #include "caustics/relief.hpp"
 #include "tests/support/shadow_scenes.hpp"
+#include "tests/support/sides.hpp"
 
 namespace waterlight {
 namespace {
 
 using namespace test;
 
-constexpr double pi = std::numbers::pi;
-constexpr Boundary periodic{Side::periodic, Side::periodic}, walled{Side::wall, Side::wall};
+using std::numbers::pi;
 
 /// A pool of 4 x 3 m, 2 m deep.
 Surface pool(const Formula& waves = flat, Boundary boundary = periodic) {
@@ -197,7 +197,7 @@ TEST_P(FloorShadows, UnderWavesObjectsStopWhatRaysSay) {
 }
 
 TEST_P(FloorShadows, WhatIsNotInTheWayChangesNothing) {
-    const Surface surface = pool(sines({{.02, 1, 0}, {.012, .5, 90}}), walled);
+    const Surface surface = pool(sines({{.02, 1, 0}, {.012, .5, 90}}), walls);
     const FloorSettings bare = settings_of({}, 60);
     const FloorMap without = map_of(bare, surface);
     for (const glm::dvec3 centre : {glm::dvec3{2, 1.5, -3}, {2, 9, -1}, {-5, 1, -1}}) {
@@ -288,7 +288,7 @@ TEST(FloorShadowsOnMaps, QuadsThatAWallCutsAreShaded) {
     FloorSettings s = settings_of({ball(radius, {0, 1.5, -1})});
     s.plan = {50, 40, {.6, -.9}, {.1, .1}, 33};
     FloorMap map;
-    make_floor_quads(s)->compute(pool(flat, walled), map);
+    make_floor_quads(s)->compute(pool(flat, walls), map);
     const double enters = 1000 * f64::refract_sun({0, 0, -1}, {0, 0}, 4.0 / 3, 1).transmittance;
     const double stopped = enters * pi * radius * radius / 2;
     EXPECT_NEAR(map.ledger.objects_w, stopped, 1e-2 * stopped);

@@ -24,9 +24,9 @@ struct Span {
     double from, to;
 };
 
-/// Where |a + t b| <= radius.
-std::optional<Span> within(glm::dvec3 a, glm::dvec3 b, double radius) {
-    const double bb = glm::dot(b, b), ab = glm::dot(a, b), root = ab * ab - bb * (glm::dot(a, a) - radius * radius);
+/// Where |a + t b| <= reach.
+std::optional<Span> within(glm::dvec3 a, glm::dvec3 b, double reach) {
+    const double bb = glm::dot(b, b), ab = glm::dot(a, b), root = ab * ab - bb * (glm::dot(a, a) - reach * reach);
     if (!(root > 0)) return std::nullopt;
     return Span{(-ab - std::sqrt(root)) / bb, (-ab + std::sqrt(root)) / bb};
 }
@@ -161,9 +161,6 @@ TEST_P(ShadowPictures, TheShaftIsDarkByTheLawOfSingleScattering) {
     }
 }
 
-std::string elevation_of(const testing::TestParamInfo<double>& sun) {
-    return "at_" + std::to_string(static_cast<int>(sun.param));
-}
 INSTANTIATE_TEST_SUITE_P(Suns, ShadowPictures, testing::Values(90.0, 50.0), elevation_of);
 
 TEST(ShadowPicture, ABallHidesWhatIsBehindItThoughItsShadowIsElsewhere) {

@@ -19,8 +19,7 @@ namespace {
 
 using namespace test;
 
-constexpr double pi = std::numbers::pi, radius = .3, disc = pi * radius * radius;
-const glm::dvec3 in_water{1.7, 1.4, -.9}, in_air{1.7, 1.4, .8};
+using std::numbers::pi;
 
 TEST(ShadowBeams, AFloatingBallShadesAndStopsWhatFallsOnIt) {
     ShadowPool pool;

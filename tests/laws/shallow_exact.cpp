@@ -15,7 +15,7 @@
 namespace waterlight::testing {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Place {
     double x, y, t;

@@ -15,7 +15,7 @@
 namespace waterlight::testing {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double sum_of(const Field<double>& field) {
     double sum = 0;

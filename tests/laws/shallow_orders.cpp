@@ -8,7 +8,7 @@
 namespace waterlight::testing {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(ShallowOrders, TravellingVortex) {
     const auto error = [](int n) {

@@ -9,7 +9,7 @@
 namespace waterlight::testing {
 namespace {
 
-constexpr int steps = 10000;
+constexpr int rest_steps = 10000;
 
 template <class Real>
 class ShallowRest : public ::testing::Test {
@@ -18,7 +18,7 @@ class ShallowRest : public ::testing::Test {
 
     static void expect_rest(const ShallowWaterSettings& settings, const std::string& what) {
         const auto model = make_shallow_water<Real>(settings);
-        take_steps(*model, steps);
+        take_steps(*model, rest_steps);
         EXPECT_LT(fastest_m_s(*model, settings.grid), still_m_s) << what;
     }
 };
@@ -35,17 +35,17 @@ ShallowWaterSettings lake(Field<double> bed, double level_m, const ShallowSides&
     return settings;
 }
 
-constexpr Grid cells{14, 11};
+constexpr Grid rest_cells{14, 11};
 
 /// Ground from `low` to `high` m above `level_m` at random.
 Field<double> rough(double level_m, double low, double high, std::uint64_t seed = 1) {
     RandomStream random(seed, 0);
-    return field_of(cells, [&](int, int) { return level_m + random.uniform(low, high); });
+    return field_of(rest_cells, [&](int, int) { return level_m + random.uniform(low, high); });
 }
 
 /// Two islands in water 1 m deep.
 Field<double> islands(double level_m) {
-    return field_of(cells, [&](int i, int j) {
+    return field_of(rest_cells, [&](int i, int j) {
         return level_m - 1 + 2.3 * std::exp(-0.1 * (std::pow(i - 4.2, 2) + std::pow(j - 4.7, 2))) +
                1.7 * std::exp(-0.3 * (std::pow(i - 10.1, 2) + std::pow(j - 8.4, 2)));
     });
@@ -55,8 +55,8 @@ Field<double> islands(double level_m) {
 ShallowWaterSettings ponds(double datum_m) {
     RandomStream random(3, 0);
     ShallowWaterSettings settings = lake(rough(datum_m + 5, 0, 4), datum_m);
-    for (int j = 1; j < cells.ny; j += 2) {
-        for (int i = 1; i < cells.nx; i += 2) {
+    for (int j = 1; j < rest_cells.ny; j += 2) {
+        for (int i = 1; i < rest_cells.nx; i += 2) {
             settings.depth_m(i, j) = random.uniform(0.01, 3);
             settings.bed_m(i, j) = datum_m + random.uniform(0, 5) - settings.depth_m(i, j);
         }
@@ -82,7 +82,7 @@ TYPED_TEST(ShallowRest, CliffsUpToAMillionDepths) {
     for (const double depth : {1e-3, 1.0}) {
         for (const double jump : {1.0, 1e3, 1e6}) {
             RandomStream random(4, 0);
-            const auto cliffs = field_of(cells, [&](int, int) {
+            const auto cliffs = field_of(rest_cells, [&](int, int) {
                 const double kind = random.uniform();
                 return depth * (kind < 0.3 ? -1 : kind < 0.6 ? -1 - jump : jump);
             });

@@ -12,7 +12,7 @@
 namespace waterlight::testing {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double g = 9.81;
 
 /// What a shock of this speed would make of mass and momentum between two states, against the size of the terms.

@@ -8,7 +8,7 @@
 namespace waterlight::testing {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// How far water 1 m deep is from level.
 double unrest_m(const ShallowState& s) { return std::abs(s.depth_m - 1); }

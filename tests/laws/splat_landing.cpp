@@ -21,7 +21,7 @@ using namespace test;
 using Landing = SplatOptions::Landing;
 using Height = std::function<double(glm::dvec2)>;
 
-const Grid grid = make_grid(400, 400, 8, 8);
+const Grid sea = make_grid(400, 400, 8, 8);
 
 struct Ground {
     const char* name;
@@ -38,14 +38,13 @@ const Ground bumpy{"bumpy", [](glm::dvec2 at) {
 class Scene {
   public:
     Scene(const Ground& ground, double elevation_deg) : ground_(ground) {
-        settings_ = splat_settings(grid, 400, 400, elevation_deg);
+        settings_ = splat_settings(sea, 400, 400, elevation_deg);
         settings_.floor.sun.azimuth_deg = 0;
-        Field<float> bed(grid.nx, grid.ny);
-        for (int j = 0; j < grid.ny; ++j)
-            for (int i = 0; i < grid.nx; ++i)
-                bed(i, j) = static_cast<float>(ground.height_m({grid.x_m(i), grid.y_m(j)}));
+        Field<float> bed(sea.nx, sea.ny);
+        for (int j = 0; j < sea.ny; ++j)
+            for (int i = 0; i < sea.nx; ++i) bed(i, j) = static_cast<float>(ground.height_m({sea.x_m(i), sea.y_m(j)}));
         settings_.bed_m = std::make_shared<Field<float>>(std::move(bed));
-        const Surface surface(grid, {Side::wall, Side::wall});
+        const Surface surface(sea, {Side::wall, Side::wall});
         frame_ = splat_frame(settings_, surface);
         receivers_.emplace(frame_, surface, *settings_.bed_m);
     }
@@ -149,10 +148,10 @@ TEST(SplatLanding, TheFactorOfEachStepIsThatOfTheory) {
 TEST(SplatLanding, UnderALowSunThePapersStepDivergesAndTheReportSaysSo) {
     const Scene scene(flat_ground, 10);
     EXPECT_GT(scene.error(8, Landing::distance), scene.error(2, Landing::distance));
-    SplatSettings s = splat_settings(grid, 100, 100, 10);
+    SplatSettings s = splat_settings(sea, 100, 100, 10);
     s.options.landing = Landing::distance;
     SplatReport report;
-    const Surface surface(grid, {});
+    const Surface surface(sea, {});
     const FloorMap map = splat_map(s, surface, &report);
     EXPECT_EQ(report.vertices, 100 * 100);
     EXPECT_EQ(report.not_converged, report.vertices);
@@ -166,12 +165,12 @@ TEST(SplatLanding, UnderALowSunThePapersStepDivergesAndTheReportSaysSo) {
 
 // Over ground between walls light of the edge leaves the light's image: counted, and outside.
 TEST(SplatLanding, LightThatLeavesTheImageIsCountedAndOutside) {
-    SplatSettings s = splat_settings(grid, 100, 100, 30);
-    Field<float> bed(grid.nx, grid.ny);
+    SplatSettings s = splat_settings(sea, 100, 100, 30);
+    Field<float> bed(sea.nx, sea.ny);
     bed.fill(-1.0F);
     s.bed_m = std::make_shared<Field<float>>(std::move(bed));
     SplatReport report;
-    const FloorMap map = splat_map(s, Surface(grid, {Side::wall, Side::wall}), &report);
+    const FloorMap map = splat_map(s, Surface(sea, {Side::wall, Side::wall}), &report);
     EXPECT_GT(report.missed, 500);
     EXPECT_LT(report.missed, 2500);
     EXPECT_GT(map.ledger.outside_w, 0.05 * map.ledger.incident_w);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "caustics/truth.hpp"
+#include "tests/support/sides.hpp"
 #include "tests/support/splat_maps.hpp"
 
 namespace waterlight {
@@ -15,13 +16,13 @@ namespace {
 
 using namespace test;
 
-constexpr double pi = std::numbers::pi, radius = 0.3, index = 1.5;
-constexpr Boundary walls{Side::wall, Side::wall};
-const Grid grid = make_grid(16, 16, 2, 2);
+using std::numbers::pi;
+constexpr double radius = 0.3, index = 1.5;
+const Grid pool = make_grid(16, 16, 2, 2);
 
 /// A sphere in the middle of still water without refraction of its own, its centre this far above the floor.
 SplatSettings ball(Material material, double above_floor_m, int pixels, int vertices) {
-    SplatSettings s = splat_settings(grid, pixels, pixels, 90);
+    SplatSettings s = splat_settings(pool, pixels, pixels, 90);
     s.floor.optics.refractive_index = 1;
     s.floor.depth_m = 1;
     s.options.grid = vertices;
@@ -90,7 +91,7 @@ TEST(SplatObjects, AGlassSphereFocusesAsRaysInItsPlaneDo) {
     constexpr int rings = 40;
     for (const double above : {0.36, 0.45, 0.6}) {
         const SplatSettings s = ball({.type = Material::Type::glass, .index = index}, above, 200, 700);
-        const FloorMap map = splat_map(s, sample(grid, walls, flat));
+        const FloorMap map = splat_map(s, sample(pool, walls, flat));
         const std::vector<double> found = rings_of(s, map, ring, rings),
                                   expected = rings_below_glass(above, ring, rings);
         double found_sum = 0, expected_sum = 0, square = 0, worst_sum = 0;
@@ -118,7 +119,7 @@ TEST(SplatObjects, AGlassSphereFocusesAsRaysInItsPlaneDo) {
 
 TEST(SplatObjects, AnOpaqueBallTakesItsDiscOfLightAndTheFloorIsDark) {
     const SplatSettings s = ball({.type = Material::Type::diffuse}, 0.5, 100, 800);
-    const FloorMap map = splat_map(s, sample(grid, walls, flat));
+    const FloorMap map = splat_map(s, sample(pool, walls, flat));
     EXPECT_NEAR(map.ledger.objects_w, 1000 * pi * radius * radius, 0.01 * 1000 * pi * radius * radius);
     EXPECT_EQ(map.irradiance(50, 50), 0);
     EXPECT_NEAR(map.irradiance(10, 50), 1000, 1);
@@ -129,7 +130,7 @@ TEST(SplatObjects, AnOpaqueBallTakesItsDiscOfLightAndTheFloorIsDark) {
 // A mirror ball sends down what it meets beyond 45 degrees, half of its disc; the rest goes up.
 TEST(SplatObjects, AMirrorBallSendsHalfOfItsLightUp) {
     const SplatSettings s = ball({.type = Material::Type::mirror, .reflectance = 0.9}, 0.5, 100, 800);
-    const FloorMap map = splat_map(s, sample(grid, walls, flat));
+    const FloorMap map = splat_map(s, sample(pool, walls, flat));
     const double disc = 1000 * pi * radius * radius;
     EXPECT_NEAR(map.ledger.objects_w, 0.1 * disc, 0.01 * 0.1 * disc);
     EXPECT_NEAR(map.ledger.reflected_w + map.ledger.outside_w + map.ledger.floor_w, 4000 - 0.1 * disc, 1e-3 * 4000);

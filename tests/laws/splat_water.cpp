@@ -10,15 +10,13 @@
 #include "caustics/relief.hpp"
 #include "caustics/spectral_floor.hpp"
 #include "sim/error.hpp"
+#include "tests/support/sides.hpp"
 #include "tests/support/splat_maps.hpp"
 
 namespace waterlight {
 namespace {
 
 using namespace test;
-
-constexpr Boundary periodic{Side::periodic, Side::periodic}, walls{Side::wall, Side::wall},
-    open{Side::absorbing, Side::absorbing};
 
 double still_irradiance(const FloorSettings& s) {
     const f64::Refraction r = f64::refract_sun(s.sun.direction(), {0, 0}, s.optics.refractive_index, 1);
@@ -34,7 +32,7 @@ double largest_departure(const Field<float>& f, double from) {
 
 TEST(Splat, StillWaterIsEvenWhateverTheGridAndThePixels) {
     const Grid grid = make_grid(16, 12, 4, 3);
-    for (const Boundary sides : {periodic, open})
+    for (const Boundary sides : {periodic, open_sides})
         for (const double elevation : {90.0, 40.0, 8.0})
             for (const int vertices : {40, 64, 101, 190}) {
                 SplatSettings s = splat_settings(grid, 64, 48, elevation);
@@ -266,7 +264,7 @@ TEST(Splat, ALampLightsAsTheInverseSquareSays) {
     SplatSettings s = splat_settings(grid, 96, 96, 90);
     s.floor.optics.refractive_index = 1;
     s.lamp = Lamp{.at_m = {1.5, 2.2, 2}, .intensity_w_sr = 100};
-    for (const Boundary sides : {open, walls}) {
+    for (const Boundary sides : {open_sides, walls}) {
         const FloorMap map = splat_map(s, sample(grid, sides, flat));
         for (const glm::ivec2 pixel : {glm::ivec2{40, 50}, {20, 60}, {60, 40}}) {
             const glm::dvec2 at = s.floor.plan.position_m(glm::dvec2(pixel) + 0.5);

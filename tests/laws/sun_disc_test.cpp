@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "sim/error.hpp"
+#include "tests/support/sides.hpp"
 #include "tests/support/sun_points.hpp"
 #include "tests/support/surfaces.hpp"
 
@@ -16,8 +17,7 @@ namespace {
 
 using namespace test;
 
-constexpr Boundary periodic{Side::periodic, Side::periodic};
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double sun_deg = 0.2665;
 
 FloorMap map_of(FloorMapper& mapper, const Surface& surface) {

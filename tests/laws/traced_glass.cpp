@@ -7,7 +7,7 @@
 namespace waterlight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double most_difference(const TracedPicture& a, const TracedPicture& b) {
     double most = 0, mean = 0;

@@ -12,7 +12,7 @@
 namespace waterlight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Level mirrors send the sky's radiance of the mirrored direction, times their reflectance.
 TEST(TracedObjects, MirrorShowsTheSkyInIt) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "caustics/kernels/optics.hpp"
+#include "tests/support/sides.hpp"
 #include "tests/support/surfaces.hpp"
 
 namespace waterlight {
@@ -9,8 +10,7 @@ namespace {
 
 using namespace test;
 
-constexpr Boundary periodic{Side::periodic, Side::periodic};
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TruthSettings truth_settings(const Grid& grid, int width, int height, double elevation_deg) {
     TruthSettings t;

@@ -9,6 +9,7 @@
 
 #include "caustics/kernels/optics.hpp"
 #include "sim/error.hpp"
+#include "tests/support/sides.hpp"
 #include "tests/support/surfaces.hpp"
 
 namespace waterlight {
@@ -16,7 +17,6 @@ namespace {
 
 using namespace test;
 
-constexpr Boundary walled{Side::wall, Side::wall};
 constexpr std::size_t west = 0, east = 1, south = 2, north = 3;
 
 WallSettings settings_for(double elevation_deg, double azimuth_deg) {
@@ -41,7 +41,7 @@ double mean(const Field<float>& f) {
 // Flat water: the beam's flux through the horizontal, times its slant, on a wall; from the waterline down to where the
 // ray comes from the other side's edge; less what the way takes.
 TEST(Walls, BelowFlatWaterTheyHaveTheClosedForm) {
-    const Surface surface = sample(make_grid(120, 80, 1.5, 1), walled, flat);
+    const Surface surface = sample(make_grid(120, 80, 1.5, 1), walls, flat);
     WallSettings s = settings_for(30, 0);  // the sun in the east lights the west wall
     s.optics.absorption_per_m = .3;
     s.depth_m = 3;
@@ -65,7 +65,7 @@ TEST(Walls, BelowFlatWaterTheyHaveTheClosedForm) {
 }
 
 TEST(Walls, ACornerIsLitOnce) {
-    const Surface surface = sample(make_grid(50, 40, 1.5, 1.2), walled, flat);
+    const Surface surface = sample(make_grid(50, 40, 1.5, 1.2), walls, flat);
     const WallSettings s = settings_for(35, 215);
     const WallMaps maps = maps_of(s, surface);
     const f64::Refraction r = f64::refract_sun(s.sun.direction(), {0, 0}, 4.0 / 3, 1);
@@ -87,7 +87,7 @@ TEST(Walls, ACornerIsLitOnce) {
 TEST(Walls, WithWavesAllLightIsAccountedForAndTheFloorsIsThatOfItsMap) {
     const Grid grid = make_grid(150, 120, 1.5, 1.2);
     // Half waves fit the walls: the slope is zero there, as of water.
-    const Surface surface = sample(grid, walled, sines({{.006, 1.0, 0}, {.004, .8, 90}, {.003, .3, 0}}));
+    const Surface surface = sample(grid, walls, sines({{.006, 1.0, 0}, {.004, .8, 90}, {.003, .3, 0}}));
     WallSettings s = settings_for(50, 200);
     s.optics.absorption_per_m = .1;
     s.optics.scattering_per_m = .05;
@@ -127,7 +127,7 @@ TEST(Walls, ConvergeWithTheSurfacesCells) {
     WallSettings s = settings_for(40, 180);
     s.pixel_m = .02;
     const auto map = [&](int cells) {
-        return maps_of(s, sample(make_grid(cells, 8, 1, .1), walled, sines({{.004, .5, 0}, {.002, .25, 0}})))
+        return maps_of(s, sample(make_grid(cells, 8, 1, .1), walls, sines({{.004, .5, 0}, {.002, .25, 0}})))
             .irradiance[east]
             .clone();
     };
@@ -149,7 +149,7 @@ TEST(Walls, ConvergeWithTheSurfacesCells) {
 }
 
 TEST(Walls, AreTheSameOnAnyNumberOfThreads) {
-    const Surface surface = sample(make_grid(60, 50, 1.5, 1.2), walled, sines({{.006, 1.0, 0}}));
+    const Surface surface = sample(make_grid(60, 50, 1.5, 1.2), walls, sines({{.006, 1.0, 0}}));
     const int threads = omp_get_max_threads();
     omp_set_num_threads(1);
     const WallMaps one = maps_of(settings_for(40, 200), surface);
@@ -164,7 +164,7 @@ TEST(Walls, AreTheSameOnAnyNumberOfThreads) {
 
 TEST(Walls, RefuseWhatIsNoWallAndWhatIsOutOfRange) {
     const Surface open = sample(make_grid(8, 8, 1, 1), {Side::periodic, Side::absorbing}, flat);
-    const Surface pool = sample(make_grid(8, 8, 1, 1), walled, flat);
+    const Surface pool = sample(make_grid(8, 8, 1, 1), walls, flat);
     WallMaps maps;
     WallSettings s = settings_for(40, 0);
     EXPECT_THROW(light_walls(s, open, maps), InputError);

@@ -10,6 +10,7 @@
 #include "caustics/kernels/water_colour.hpp"
 #include "caustics/spectral_floor.hpp"
 #include "sim/error.hpp"
+#include "tests/support/sides.hpp"
 #include "tests/support/surfaces.hpp"
 
 namespace waterlight {
@@ -17,8 +18,7 @@ namespace {
 
 using namespace test;
 
-constexpr Boundary periodic{Side::periodic, Side::periodic};
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Fresh water at 20 degrees: CRC Handbook of Chemistry and Physics, sodium's D line 1.33299, hydrogen's C 1.33115 and F
 // 1.33712; sea water of 35 permille: Austin & Halikas (1976), 1.33940 at 589.26 nm.

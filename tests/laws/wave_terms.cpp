@@ -14,7 +14,7 @@
 namespace waterlight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 const Water pure{.depth_m = 1, .surface_tension_n_m = 0};
 
 TEST(WaveTerms, DispersionIgnoredCostsWhatTheDesignSays) {

@@ -10,7 +10,7 @@
 
 namespace waterlight::testing {
 
-inline constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The dispersion relation in full, as textbooks give it (Lamb, Hydrodynamics, 267).
 inline double textbook_omega(double k, const Water& water) {

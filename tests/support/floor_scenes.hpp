@@ -3,12 +3,19 @@
 
 #include <cmath>
 
+#include "caustics/floor.hpp"
+#include "tests/support/sides.hpp"
 #include "tests/support/surfaces.hpp"
 
 namespace waterlight::test {
 
-inline constexpr Boundary periodic{Side::periodic, Side::periodic};
 inline const double root_two = std::sqrt(2.0);
+
+inline FloorMap map_of(const FloorSettings& settings, const Surface& surface) {
+    FloorMap map;
+    make_floor_cpu(settings)->compute(surface, map);
+    return map;
+}
 
 /// Waves of 0.5 m over one period of their pattern.
 struct FloorScene {

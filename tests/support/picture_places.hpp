@@ -8,6 +8,8 @@
 
 namespace waterlight::test {
 
+inline constexpr double n_water = 4.0 / 3.0;
+
 /// The pixel, whole numbers at its centre, in which a straight ray shows a place before the camera.
 inline glm::dvec2 pixel_of(const Camera& camera, glm::dvec3 place) {
     const Camera::Rays rays = camera.rays();

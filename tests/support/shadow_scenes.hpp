@@ -1,8 +1,12 @@
 // A ball, or something else, in or above a pool, for tests of what its beams leave dark.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <memory>
+#include <numbers>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -19,6 +23,15 @@ inline std::shared_ptr<const ObjectSet> objects_of(std::vector<Object> objects) 
 
 inline Object ball(double radius_m, glm::dvec3 centre_m) {
     return {.name = "ball", .shape = Sphere{radius_m}, .centre_m = centre_m};
+}
+
+/// The ball of most tests, its disc (m2), and places for it.
+inline constexpr double radius = .3, disc = std::numbers::pi * radius * radius;
+inline const glm::dvec3 in_water{1.7, 1.4, -.9}, in_air{1.7, 1.4, .8};
+
+/// Of the sun, as a test's name.
+inline std::string elevation_of(const testing::TestParamInfo<double>& sun) {
+    return "at_" + std::to_string(static_cast<int>(sun.param));
 }
 
 /// A pool of 4 x 3 x 2 m.

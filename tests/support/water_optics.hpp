@@ -12,7 +12,7 @@
 
 namespace waterlight::test {
 
-inline constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 inline constexpr double radian = pi / 180;
 
 /// Where a pinhole sees a place, and the direction in which it sees a pixel. Pixel centres are whole numbers, y

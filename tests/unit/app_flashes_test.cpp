@@ -11,7 +11,7 @@
 namespace waterlight::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(Flashes, OfASawtoothAreKnown) {
     // From 0 to 2 and back in 2 s, five times: mean 1, above 1.5 for half a second in each.

@@ -6,10 +6,10 @@
 namespace waterlight::testing {
 namespace {
 
-const Grid grid = make_grid(2, 2, 2, 2);
+const Grid four_cells = make_grid(2, 2, 2, 2);
 
-std::string esri(const std::string& text) { return ground_complaint(".asc", text, grid); }
-std::string xyz(const std::string& text) { return ground_complaint(".xyz", text, grid); }
+std::string esri(const std::string& text) { return ground_complaint(".asc", text, four_cells); }
+std::string xyz(const std::string& text) { return ground_complaint(".xyz", text, four_cells); }
 
 const std::string header = "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n";
 
@@ -18,7 +18,7 @@ TEST(EsriReader, TakesEveryHeader) {
          {header + "3 4\n1 2\n",
           std::string("NCOLS 2\r\nNROWS 2\r\nXLLCENTER 0.5\r\nYLLCENTER .5\r\nCELLSIZE 1\r\n3 4\r\n1 2"),
           std::string("nrows 2 ncols 2 dx 1 dy 1.0 xllcorner 0 yllcenter 0.5 nodata_value nan 3 4 1 +2e0")}) {
-        const Field<double> read = read_text(".ASC", text, grid);
+        const Field<double> read = read_text(".ASC", text, four_cells);
         EXPECT_EQ(read(0, 0), 1) << text;
         EXPECT_EQ(read(1, 0), 2) << text;
         EXPECT_EQ(read(0, 1), 3) << "rows go from north to south: " << text;
@@ -64,7 +64,7 @@ TEST(EsriReader, SaysWhatIsWrongWithHeights) {
 
 TEST(EsriReader, NeedsNoDataOutsideTheDomain) {
     const Field<double> read =
-        read_text(".asc", "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n3 4 -9999\n1 2 -9999\n", grid);
+        read_text(".asc", "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n3 4 -9999\n1 2 -9999\n", four_cells);
     EXPECT_EQ(read(1, 1), 4);
 }
 
@@ -72,7 +72,7 @@ TEST(XyzReader, TakesAnyOrderHeadingsAndCommas) {
     for (const std::string& text :
          {std::string("x(m) y(m) z(m)\n1.5 .5 2\n0.5,1.5,3\n\n.5 .5 1\n1.5 , 1.5 4"),
           std::string("# made up\r\nx,y,z\r\n0.5,0.5,1\r\n1.5,0.5,2\r\n0.5,1.5,3\r\n1.5,1.5,4\r\n")}) {
-        const Field<double> read = read_text(".csv", text, grid);
+        const Field<double> read = read_text(".csv", text, four_cells);
         EXPECT_EQ(read(0, 0), 1) << text;
         EXPECT_EQ(read(1, 0), 2) << text;
         EXPECT_EQ(read(0, 1), 3) << text;
@@ -111,44 +111,47 @@ TEST(XyzReader, RefusesScatteredPoints) {
 
 TEST(GroundFiles, SayThatTheyDoNotCoverTheDomain) {
     const Grid wide = make_grid(4, 2, 4, 2);
-    const Field<double> heights = sampled(grid, [](double x, double) { return x; });
+    const Field<double> heights = sampled(four_cells, [](double x, double) { return x; });
     for (const char* extension : {".vti", ".asc", ".xyz"}) {
-        EXPECT_EQ(ground_complaint(extension, ground_text(extension, grid, heights), wide),
+        EXPECT_EQ(ground_complaint(extension, ground_text(extension, four_cells, heights), wide),
                   ": covers [0, 2] x [0, 2] m, and not the cell at (2.5, 0.5) m of the domain, [0, 4] x [0, 2] m; "
                   "outside = \"extend\" would take the nearest data there");
     }
     GroundFile file;
     file.offset_m = {NAN, 0};
-    EXPECT_EQ(ground_complaint(".asc", esri_text(grid, heights), grid, file),
+    EXPECT_EQ(ground_complaint(".asc", esri_text(four_cells, heights), four_cells, file),
               ": offset_m and datum_m must be finite numbers, found (nan, 0) and 0");
     file.offset_m = {0, 0};
     file.outside = OutsideFile::extend;
-    EXPECT_EQ(ground_complaint(".asc", header + "-9999 -9999 -9999 -9999", grid, file), ": has no data in the domain");
+    EXPECT_EQ(ground_complaint(".asc", header + "-9999 -9999 -9999 -9999", four_cells, file),
+              ": has no data in the domain");
 }
 
 TEST(GroundFiles, SayWhichAreRead) {
-    EXPECT_EQ(ground_complaint(".grd", "", grid),
+    EXPECT_EQ(ground_complaint(".grd", "", four_cells),
               ": ground is read from .vti, .asc (ESRI ASCII grid), .xyz, .txt, .csv or .dat (lines of x, y, z); found "
               "the extension \".grd\"");
     const TemporaryFolder folder;
     for (const char* extension : {".vti", ".asc", ".xyz"}) {
         GroundFile file;
         file.path = folder / (std::string("missing") + extension);
-        EXPECT_NE(complaint_of(file.path, [&] { read_ground(file, grid); }).find("No such file"), std::string::npos);
+        EXPECT_NE(complaint_of(file.path, [&] { read_ground(file, four_cells); }).find("No such file"),
+                  std::string::npos);
     }
 }
 
 TEST(GroundFiles, SayWhatIsWrongWithAnImage) {
-    const Field<double> heights = sampled(grid, [](double x, double) { return x; });
-    EXPECT_EQ(ground_complaint(".vti", vti_text(grid, heights, "depth"), grid), ": has no array \"bed\"; found: depth");
+    const Field<double> heights = sampled(four_cells, [](double x, double) { return x; });
+    EXPECT_EQ(ground_complaint(".vti", vti_text(four_cells, heights, "depth"), four_cells),
+              ": has no array \"bed\"; found: depth");
     Field<double> holes = heights.clone();
     holes(1, 0) = NAN;
-    EXPECT_EQ(ground_complaint(".vti", vti_text(grid, holes), grid),
+    EXPECT_EQ(ground_complaint(".vti", vti_text(four_cells, holes), four_cells),
               ": lacks points at the cell at (1.5, 0.5) m of the domain; outside = \"extend\" would take the nearest "
               "data there");
     GroundFile file;
     file.outside = OutsideFile::extend;
-    EXPECT_EQ(read_text(".vti", vti_text(grid, holes), grid, file)(1, 0), 0.5);
+    EXPECT_EQ(read_text(".vti", vti_text(four_cells, holes), four_cells, file)(1, 0), 0.5);
 }
 
 class DamagedGround : public ::testing::TestWithParam<const char*> {};

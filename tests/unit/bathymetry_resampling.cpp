@@ -8,7 +8,7 @@
 namespace waterlight::testing {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// One wave along each side of the unit square.
 double hills(double x, double y) { return std::sin(2 * pi * x + 0.4) * std::cos(2 * pi * y - 0.3); }

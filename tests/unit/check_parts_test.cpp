@@ -17,7 +17,7 @@
 namespace waterlight::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 std::vector<double> sine(double amplitude, double period_s, double every_s, int count) {
     std::vector<double> values;

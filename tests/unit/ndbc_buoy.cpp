@@ -13,7 +13,7 @@
 namespace waterlight::testing {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 using Buoy = NdbcFiles;
 
 /// Integral of density(theta) exp(i n theta) over the circle.

@@ -14,9 +14,9 @@ using glm::dvec2;
 using glm::dvec3;
 
 const Grid pool = make_grid(96, 64, 6, 4);
-const Camera above{.position_m = {-1, -2, 3}, .target_m = {3, 2, 0}, .size = {300, 200}};
-const Camera below{.position_m = {1, 1, -1.2}, .target_m = {4, 2.5, 0.1}, .size = {300, 200}};
-const Camera straight_down{.position_m = {3, 2, 5}, .target_m = {3, 2, 0}, .size = {300, 200}};
+const Camera over_pool{.position_m = {-1, -2, 3}, .target_m = {3, 2, 0}, .size = {300, 200}};
+const Camera under_water{.position_m = {1, 1, -1.2}, .target_m = {4, 2.5, 0.1}, .size = {300, 200}};
+const Camera down_on_pool{.position_m = {3, 2, 5}, .target_m = {3, 2, 0}, .size = {300, 200}};
 
 Surface sampled(const test::Formula& formula) { return test::sample(pool, {Side::wall, Side::wall}, formula); }
 
@@ -35,7 +35,7 @@ void for_pixels(const Camera& camera, Check check) {
 TEST(PickWater, FindsATiltedPlaneInClosedForm) {
     for (const dvec2 slope : {dvec2(0, 0), dvec2(0.1, 0), dvec2(-0.04, 0.07)}) {
         const Surface surface = sampled(test::tilted(slope));
-        for (const Camera& camera : {above, below, straight_down}) {
+        for (const Camera& camera : {over_pool, under_water, down_on_pool}) {
             int hits = 0, misses = 0;
             for_pixels(camera, [&](dvec2 pixel) {
                 const dvec3 ray = camera.rays().at(pixel.x, pixel.y), from = camera.position_m;
@@ -73,7 +73,7 @@ TEST(PickWater, FindsTheNearestPlaceOfASine) {
     const Surface surface = sampled(formula);
     // Bilinear heights err by a (k dx)^2 / 4 at most on the diagonal of a cell, and grazing rays stretch that.
     const double k = 2 * std::numbers::pi / 1.2, error = 0.08 * k * k * pool.dx_m * pool.dx_m / 4 + 0.01 * pool.dx_m;
-    for (const Camera& camera : {above, below}) {
+    for (const Camera& camera : {over_pool, under_water}) {
         int hits = 0;
         for_pixels(camera, [&](dvec2 pixel) {
             const auto expected = first_meeting(formula, camera, pixel);
@@ -91,16 +91,16 @@ TEST(PickWater, FindsTheNearestPlaceOfASine) {
 }
 
 TEST(PickWater, LooksPastWaterThatIsBehind) {
-    Camera away = above;
+    Camera away = over_pool;
     away.target_m = 2.0 * above.position_m - above.target_m;
     for_pixels(away, [&](dvec2 pixel) { EXPECT_FALSE(pick_water(sampled(test::flat), away, pixel)); });
 }
 
 TEST(PickLevel, MeetsAHeightAheadOnly) {
-    const auto found = pick_level(0.5, straight_down, {149.5, 99.5});
+    const auto found = pick_level(0.5, down_on_pool, {149.5, 99.5});
     ASSERT_TRUE(found);
     EXPECT_LT(glm::distance(*found, dvec3(3, 2, 0.5)), 1e-12);
-    EXPECT_FALSE(pick_level(6, straight_down, {149.5, 99.5}));
+    EXPECT_FALSE(pick_level(6, down_on_pool, {149.5, 99.5}));
     EXPECT_FALSE(pick_level(1, {.position_m = {0, 0, 0}, .target_m = {1, 0, 0}, .size = {3, 3}}, {1, 1}));
 }
 

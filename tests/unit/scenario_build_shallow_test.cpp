@@ -9,9 +9,9 @@
 namespace waterlight::test {
 namespace {
 
-const std::string shallow = least + "[waves]\nmodel = \"shallow-water\"\nduration_s = 10\n";
+const std::string ten_seconds = least + "[waves]\nmodel = \"shallow-water\"\nduration_s = 10\n";
 
-ShallowWaterSettings settings_of(const std::string& text) { return shallow_settings(parse(shallow + text)); }
+ShallowWaterSettings settings_of(const std::string& text) { return shallow_settings(parse(ten_seconds + text)); }
 
 double least_of(const Field<double>& field) { return *std::min_element(field.values().begin(), field.values().end()); }
 double greatest_of(const Field<double>& field) {
@@ -53,15 +53,15 @@ TEST(BuildShallow, ExactStatesStandOnTheFloorOfTheDomain) {
 
 TEST(BuildShallow, ExactDepthGoesOnFromTheStartOfTheRun) {
     const std::string vortex = "[[waves.initial]]\ntype = \"vortex\"\ncentre_m = [3, 3]\ndirection_deg = 0\ntime_s = ";
-    const Scenario late = parse(shallow + vortex + "1.0\n");
+    const Scenario late = parse(ten_seconds + vortex + "1.0\n");
     const Field<double> start = *exact_depth(late, 0), later = *exact_depth(late, 0.5);
-    const Field<double> same = *exact_depth(parse(shallow + vortex + "1.5\n"), 0);
+    const Field<double> same = *exact_depth(parse(ten_seconds + vortex + "1.5\n"), 0);
     const ShallowWaterSettings s = shallow_settings(late);
     for (std::size_t n = 0; n < start.size(); ++n) {
         ASSERT_DOUBLE_EQ(start.data()[n], s.depth_m.data()[n]);
         ASSERT_DOUBLE_EQ(later.data()[n], same.data()[n]);
     }
-    EXPECT_FALSE(exact_depth(parse(shallow), 0).has_value());
+    EXPECT_FALSE(exact_depth(parse(ten_seconds), 0).has_value());
 }
 
 const std::string from_west =

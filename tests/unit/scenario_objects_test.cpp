@@ -11,8 +11,7 @@
 namespace waterlight::test {
 namespace {
 
-const std::string map = "[caustics.floor]\npixels = [64, 48]\n";
-const std::string photons = map + "method = \"photons\"\n";
+const std::string photons = floor_map + "method = \"photons\"\n";
 const std::string ball = "[[object]]\ntype = \"sphere\"\nname = \"ball\"\ncentre_m = [4, 3, -1]\n";
 
 TEST(ScenarioObjects, EachShapeHasItsKeys) {
@@ -85,11 +84,11 @@ TEST(ScenarioObjects, MethodsHaveTheirSections) {
     EXPECT_EQ(s.floor->splat.grid, 64);
     EXPECT_EQ(s.floor->splat.size, SplatOptions::Size::fixed);
     for (const char* name : floor_method_names)
-        EXPECT_EQ(name_of(parse(least + map + "method = \"" + name + "\"\n").floor->method), name);
+        EXPECT_EQ(name_of(parse(least + floor_map + "method = \"" + name + "\"\n").floor->method), name);
 }
 
 TEST(ScenarioObjects, LightMeetsWhatWasRead) {
-    Scenario s = parse(least + map + ball);
+    Scenario s = parse(least + floor_map + ball);
     EXPECT_FALSE(floor_settings(s).objects) << "before read_data()";
     read_data(s);
     ASSERT_TRUE(floor_settings(s).objects);

@@ -11,8 +11,6 @@ namespace waterlight::test {
 namespace {
 
 /// Lines 5 and 6 of a scenario.
-const std::string shallow = "[waves]\nmodel = \"shallow-water\"\n";
-
 class RejectedShallow : public ::testing::TestWithParam<Bad> {};
 
 TEST_P(RejectedShallow, NamesPlaceKeyFoundAndAllowed) { expect_rejection(GetParam()); }
@@ -210,7 +208,7 @@ TEST(ScenarioShallow, ReadsEveryKey) {
 
 TEST(ScenarioShallow, LightSeesAWallWhereOneSideOfAnAxisIsOne) {
     const auto seen = [](const std::string& sides, const std::string& more = "") {
-        return resolve_boundary(parse(least + shallow + "boundary = { " + sides + " }\n" + more));
+        return resolve_boundary(parse(least + shallow_water + "boundary = { " + sides + " }\n" + more));
     };
     const std::string level = "[[waves.inflow]]\ntype = \"level\"\nside = \"west\"\nelevation_m = 0.1\n";
     const std::string piston = "[[waves.inflow]]\ntype = \"piston\"\nside = \"west\"\nperiod_s = 1\n";
@@ -223,14 +221,14 @@ TEST(ScenarioShallow, LightSeesAWallWhereOneSideOfAnAxisIsOne) {
 }
 
 TEST(ScenarioShallow, IsClosedWithoutOpenSides) {
-    EXPECT_TRUE(is_closed(parse(least + shallow)));
-    EXPECT_TRUE(is_closed(parse(least + shallow + "boundary = { x = \"periodic\" }\n")));
-    EXPECT_FALSE(is_closed(parse(least + shallow + "boundary = { north = \"absorbing\" }\n")));
+    EXPECT_TRUE(is_closed(parse(least + shallow_water)));
+    EXPECT_TRUE(is_closed(parse(least + shallow_water + "boundary = { x = \"periodic\" }\n")));
+    EXPECT_FALSE(is_closed(parse(least + shallow_water + "boundary = { north = \"absorbing\" }\n")));
 }
 
 TEST(ScenarioShallow, SidesTakeNoMemoryWhereTheyHaveNoMargin) {
-    const Scenario closed = parse(least + shallow);
-    const Scenario open = parse(least + shallow + "boundary = { x = \"absorbing\", y = \"absorbing\" }\n");
+    const Scenario closed = parse(least + shallow_water);
+    const Scenario open = parse(least + shallow_water + "boundary = { x = \"absorbing\", y = \"absorbing\" }\n");
     EXPECT_EQ(estimate_memory(closed).cells, estimate_memory(open).cells);
 }
 

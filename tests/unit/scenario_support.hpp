@@ -13,6 +13,10 @@ namespace waterlight::test {
 /// The least that a scenario must say; lines 1 to 4.
 inline const std::string least = "[domain]\nsize_m = [8.0, 6.0]\ncells = [64, 48]\ndepth_m = 2.0\n";
 
+/// Sections that many add.
+inline const std::string floor_map = "[caustics.floor]\npixels = [64, 48]\n",
+                         shallow_water = "[waves]\nmodel = \"shallow-water\"\n";
+
 inline Scenario parse(const std::string& text, const std::vector<std::string>& overrides = {}) {
     Scenario scenario = parse_scenario(text, "pool.toml", overrides);
     check_combinations(scenario);

@@ -72,7 +72,7 @@ TEST_F(SessionTest, SavesWhatWasSet) {
     session.sun(33.5, -20.25);
     session.set({"caustics.floor.footprint=pixel", "caustics.floor.pixels=[20, 15]"});
     session.rain(4.5);
-    session.await(session.compute(Part::walls, true));
+    session.await(session.compute(LightPart::walls, true));
     ASSERT_EQ(session.status().refusal, "");
     session.save(folder_ / "saved.toml");
     const Scenario saved = read_scenario(folder_ / "saved.toml");
@@ -224,7 +224,7 @@ TEST_F(SessionTest, BeamsFollowTheCamera) {
     EXPECT_FALSE(above->has.beams);
     EXPECT_TRUE(above->has.volume);
     EXPECT_EQ(above->volume.cells, glm::ivec3(12, 9, 32));
-    const auto none = after(session, session.compute(Part::beams, false));
+    const auto none = after(session, session.compute(LightPart::beams, false));
     EXPECT_FALSE(none->has.volume);
     EXPECT_EQ(none->costs.beams_ms, 0);
     EXPECT_EQ(none->scene().volume, nullptr);
@@ -233,15 +233,15 @@ TEST_F(SessionTest, BeamsFollowTheCamera) {
 TEST_F(SessionTest, PartsAreAddedAndLeftOut) {
     Session session(scenario(), cpu, by_hand);
     EXPECT_FALSE(session.latest()->has.walls);
-    const auto with = after(session, session.compute(Part::walls, true));
+    const auto with = after(session, session.compute(LightPart::walls, true));
     EXPECT_TRUE(with->has.walls);
     EXPECT_GT(with->costs.walls_ms, 0);
     EXPECT_LT(with->walls_ledger.closure(), 1e-6);
-    EXPECT_FALSE(after(session, session.compute(Part::walls, false))->has.walls);
-    EXPECT_FALSE(after(session, session.compute(Part::floor, false))->has.floor);
+    EXPECT_FALSE(after(session, session.compute(LightPart::walls, false))->has.walls);
+    EXPECT_FALSE(after(session, session.compute(LightPart::floor, false))->has.floor);
     EXPECT_EQ(session.latest()->scene().floor, nullptr);
     // What the settings cannot have is refused and stays out.
-    session.await(session.compute(Part::walls, false));
+    session.await(session.compute(LightPart::walls, false));
     session.await(session.set({"waves.boundary={x=\"periodic\", y=\"periodic\"}"}));
     EXPECT_NE(session.status().refusal, "");
 }

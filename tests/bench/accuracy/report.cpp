@@ -1,9 +1,9 @@
 #include "tests/bench/accuracy/report.hpp"
+#include "tests/bench/seconds_of.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -11,12 +11,6 @@
 namespace waterlight::accuracy {
 
 namespace {
-
-double seconds_of(const std::function<void()>& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 const Measured* cheapest(const std::vector<Measured>& all, double tolerance) {
     const Measured* best = nullptr;

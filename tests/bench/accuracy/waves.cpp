@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "sim/airy.hpp"
@@ -10,6 +9,7 @@
 #include "sim/shallow_initial.hpp"
 #include "sim/shallow_means.hpp"
 #include "tests/bench/accuracy/report.hpp"
+#include "tests/bench/seconds_of.hpp"
 #include "tests/support/airy_runs.hpp"
 #include "tests/support/linear_runs.hpp"
 
@@ -39,12 +39,6 @@ double error_of(const Field<float>& elevation, const Grid& grid, double omega, d
     for (int j = 0; j < grid.ny; ++j)
         for (int i = 0; i < grid.nx; ++i) off(i, j) += crest(i, j) - now(i, j);
     return relative_rms(off, crest);
-}
-
-double seconds_of(const std::function<void()>& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 /// What a model did over some frames.
