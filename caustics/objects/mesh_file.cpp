@@ -15,7 +15,6 @@
 #include <cmath>
 #include <fstream>
 #include <glm/geometric.hpp>
-#include <iterator>
 
 #include "caustics/objects/mesh_text.hpp"
 
@@ -31,8 +30,8 @@ std::string bytes_of(const std::filesystem::path& file) {
     if (size == 0) reject_mesh(file, "is empty");
     if (size > most) reject_mesh(file, fmt::format("has {} bytes; allowed: at most {}", size, most));
     std::ifstream stream(file, std::ios::binary);
-    std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-    if (bytes.size() != size) reject_mesh(file, "cannot be read whole");
+    std::string bytes(size, '\0');
+    if (!stream.read(bytes.data(), static_cast<std::streamsize>(size))) reject_mesh(file, "cannot be read whole");
     return bytes;
 }
 

@@ -15,7 +15,7 @@
 
 namespace waterlight {
 
-[[noreturn]] inline void reject_mesh(const std::filesystem::path& file, const std::string& why) {
+[[noreturn]] inline void reject_mesh(const std::filesystem::path& file, std::string_view why) {
     throw InputError(fmt::format("{}: {}", file.string(), why));
 }
 
@@ -74,10 +74,10 @@ class MeshLines {
         return point;
     }
 
-    [[noreturn]] void reject(const std::string& why) const {
+    [[noreturn]] void reject(std::string_view why) const {
         reject_mesh(file_, fmt::format("line {}: {}", number_, why));
     }
-    void require(bool holds, const std::string& otherwise) const {
+    void require(bool holds, std::string_view otherwise) const {
         if (!holds) reject(otherwise);
     }
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <compare>
 #include <numbers>
-#include <utility>
+#include <vector>
 
 #include "sim/error.hpp"
 
@@ -19,6 +19,13 @@ namespace {
 constexpr double line_d = 0.5875618, line_f = 0.4861327, line_c = 0.6562725;
 
 constexpr double inverse_square(double x) { return 1 / (x * x); }
+
+/// Of a triangle.
+struct Edge {
+    int low, high;  ///< corners
+    bool is_back;   ///< from high to low
+    auto operator<=>(const Edge&) const = default;
+};
 
 class Checker {
   public:
@@ -42,8 +49,11 @@ class Checker {
     static bool finite(glm::dvec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
     static bool positive(double x) { return x > 0 && std::isfinite(x); }
 
+    [[noreturn]] void reject(const std::string& why) const {
+        throw InputError(fmt::format("object \"{}\": {}", object_.name, why));
+    }
     void require(bool holds, const std::string& otherwise) const {
-        if (!holds) throw InputError(fmt::format("object \"{}\": {}", object_.name, otherwise));
+        if (!holds) reject(otherwise);
     }
     void require_positive(double x, const char* what) const {
         require(positive(x), fmt::format("{} is {}; allowed: above 0", what, x));
@@ -83,19 +93,21 @@ class Checker {
                 fmt::format("its mesh has {} corners and {} normals", s.corners_m.size(), s.normals.size()));
         require(std::ranges::all_of(s.corners_m, finite), "a corner of its mesh is not finite");
         // Closed: each edge is passed once in either direction, by the two triangles that it joins.
-        std::map<std::pair<int, int>, int> edges;
+        std::vector<Edge> edges;
+        edges.reserve(3 * s.triangles.size());
         const int count = static_cast<int>(s.corners_m.size());
         for (const glm::ivec3& t : s.triangles)
             for (int k = 0; k < 3; ++k) {
                 const int a = t[k], b = t[(k + 1) % 3];
-                require(a >= 0 && a < count, fmt::format("its mesh names corner {} of {}", a, count));
-                ++edges[{a, b}];
+                if (a < 0 || a >= count) reject(fmt::format("its mesh names corner {} of {}", a, count));
+                if (a != b) edges.push_back({std::min(a, b), std::max(a, b), a > b});
             }
-        for (const auto& [edge, times] : edges) {
-            const auto back = edges.find({edge.second, edge.first});
-            require(times == 1 && back != edges.end() && back->second == 1,
-                    fmt::format("its mesh is not closed: the edge from corner {} to {} has not two sides", edge.first,
-                                edge.second));
+        std::ranges::sort(edges);
+        for (std::size_t k = 0; k < edges.size(); k += 2) {
+            const Edge& e = edges[k];
+            if (k + 1 == edges.size() || e.is_back || edges[k + 1] != Edge{e.low, e.high, true})
+                reject(fmt::format("its mesh is not closed: the edge between corners {} and {} has not two sides",
+                                   e.low, e.high));
         }
     }
 

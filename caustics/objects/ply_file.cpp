@@ -140,7 +140,7 @@ class PlyReader {
 
     void require_mesh() {
         const Element *vertex = element("vertex"), *face = element("face");
-        const auto require = [&](bool holds, const std::string& otherwise) {
+        const auto require = [&](bool holds, std::string_view otherwise) {
             if (!holds) reject_mesh(file_, otherwise);
         };
         require(vertex && face, fmt::format("has no element \"{}\"", vertex ? "face" : "vertex"));
@@ -183,16 +183,17 @@ class PlyReader {
     }
 
     void take_list(const Property& property, double count) {
-        require_row(count >= 0 && count <= UINT32_MAX && count == std::floor(count),
-                    "a list has a length that is no whole number of its type");
+        if (!(count >= 0 && count <= UINT32_MAX && count == std::floor(count)))
+            reject_row("a list has a length that is no whole number of its type");
         const bool is_corners = property.role == Role::corners;
-        require_row(!is_corners || count >= 3, "a face has fewer than three corners");
-        require_row(!is_corners || count <= most_corners, fmt::format("a face has more than {} corners", most_corners));
+        if (is_corners && count < 3) reject_row("a face has fewer than three corners");
+        if (is_corners && count > most_corners)
+            reject_row(fmt::format("a face has more than {} corners", most_corners));
         for (auto k = static_cast<std::uint32_t>(count); k > 0; --k) {
             const double value = take(property.type);
             if (!is_corners) continue;
-            require_row(value >= 0 && value < static_cast<double>(corners_) && value == std::floor(value),
-                        fmt::format("a face names a corner that is none of its {}", corners_));
+            if (!(value >= 0 && value < static_cast<double>(corners_) && value == std::floor(value)))
+                reject_row(fmt::format("a face names a corner that is none of its {}", corners_));
             polygons_.named.push_back(static_cast<int>(value));
         }
     }
@@ -236,10 +237,9 @@ class PlyReader {
         return static_cast<double>(std::bit_cast<Number>(raw));
     }
 
-    void require_row(bool holds, const std::string& otherwise) const {
-        if (holds) return;
-        if (encoding_ == Encoding::text) lines_.reject(otherwise);
-        reject_mesh(file_, otherwise);
+    [[noreturn]] void reject_row(std::string_view why) const {
+        if (encoding_ == Encoding::text) lines_.reject(why);
+        reject_mesh(file_, why);
     }
 
     static std::string said(std::string_view word) { return shortened(in_one_line(word), 60); }
