@@ -70,10 +70,9 @@ Json lamp_json(const Lamp& lamp) {
     return {{"type", lamp.type == Lamp::Type::spot ? "spot" : "point"}, {"power_w", lamp.power_w()}};
 }
 
-Json objects_json(const std::vector<ObjectSection>& objects) {
+Json objects_json(const std::vector<Object>& objects) {
     Json json = Json::array();
-    for (const ObjectSection& section : objects) {
-        const Object& o = section.object;
+    for (const Object& o : objects) {
         json.push_back({{"name", o.name},
                         {"type", shape_names[o.shape.index()]},
                         {"material", material_names[static_cast<std::size_t>(o.material.type)]}});
@@ -220,7 +219,7 @@ nlohmann::ordered_json report_json(const Scenario& scenario, const BackendDecisi
     json["backend"] = {{"name", backend.backend == Backend::vulkan ? "vulkan" : "cpu"}, {"reason", backend.reason}};
     json["model"] = {{"name", record.waves.model}, {"reasons", decision.reasons}};
     if (!decision.warning.empty()) json["model"]["warning"] = decision.warning;
-    if (!scenario.objects.empty()) json["objects"] = objects_json(scenario.objects);
+    if (scenario.object_set) json["objects"] = objects_json(scenario.object_set->objects());
     if (scenario.lamp) json["lamp"] = lamp_json(*scenario.lamp);
     json["frames"] = record.frames;
     json["steps"] = record.waves.steps;

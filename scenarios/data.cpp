@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdlib>
 #include <span>
+#include <utility>
 
 #include "caustics/objects/mesh_file.hpp"
 #include "scenarios/reader.hpp"
@@ -123,15 +124,16 @@ void read_data(Scenario& scenario) {
     if (scenario.objects.empty()) return;
     std::vector<Object> objects;
     for (std::size_t i = 0; i < scenario.objects.size(); ++i) {
-        ObjectSection& section = scenario.objects[i];
+        const ObjectSection& section = scenario.objects[i];
+        Object object = section.object;
         const std::string key = fmt::format("object[{}]", i);
         try {
-            if (section.file) section.object.shape = read_mesh(*section.file, section.file_scale, section.smooth);
-            validate(section.object);
+            if (section.file) object.shape = read_mesh(*section.file, section.file_scale, section.smooth);
+            validate(object);
         } catch (const InputError& error) {
             throw InputError(fmt::format("{}: {}: {}", scenario.origin.place(key + ".file"), key, error.what()));
         }
-        objects.push_back(section.object);
+        objects.push_back(std::move(object));
     }
     scenario.object_set = std::make_shared<const ObjectSet>(std::move(objects));
 }

@@ -115,7 +115,7 @@ struct BeamsSection {
 /// Something in or above the water.
 struct ObjectSection {
     Object object;
-    std::optional<std::string> file;  ///< of a mesh, which read_data() puts into `object`
+    std::optional<std::string> file;  ///< of a mesh, which read_data() puts into Scenario::object_set
     double file_scale = 1;            ///< metres per unit of that file
     bool smooth = false;              ///< normals of a mesh
 };
@@ -178,7 +178,7 @@ struct Scenario {
     SunSection sun;
     std::optional<Lamp> lamp;  ///< in place of the sun
     std::vector<ObjectSection> objects;
-    std::shared_ptr<const ObjectSet> object_set;  ///< the same for light to meet, by read_data(); none: there are none
+    std::shared_ptr<const ObjectSet> object_set;  ///< all with their meshes, by read_data(); none: there are none
     AccuracySection accuracy;
     std::optional<FloorSection> floor;
     std::optional<BeamsSection> beams;
