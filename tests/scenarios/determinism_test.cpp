@@ -66,6 +66,8 @@ TEST_P(Determinism, OneThreadAndTwoGiveTheSameBytes) {
     };
     for (const std::string threads : {"1", "2"}) {
         const Outcome outcome = run(threads);
+        if (outcome.output.find("below $WATERLIGHT_DATA, which is not set") != std::string::npos)
+            GTEST_SKIP() << "needs measured data below $WATERLIGHT_DATA";
         ASSERT_EQ(outcome.exit, 0) << outcome.output;
     }
     EXPECT_EQ(differences(files_of(folder / "1"), files_of(folder / "2")), "");

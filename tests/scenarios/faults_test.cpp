@@ -123,9 +123,7 @@ TEST_F(Faults, AFrameThatVanishesIsMissedAtTheEnd) {
 
 TEST_F(Faults, AFolderThatBecomesReadOnlyStopsTheRun) {
     ChildLimits limits;
-    if (::geteuid() == 0) limits.user = 65534;
-    fs::create_directory(out_);
-    fs::permissions(out_, fs::perms::all);
+    limits.obeys_permissions = true;
     Child child = start(limits);
     ASSERT_TRUE(wait_for_frames());
     const auto readable = static_cast<fs::perms>(0555);

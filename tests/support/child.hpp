@@ -2,7 +2,9 @@
 #pragma once
 
 #include <fcntl.h>
+#include <linux/capability.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -18,11 +20,11 @@
 
 namespace waterlight::test {
 
-/// What a process may do, and as whom.
+/// What a process may do.
 struct ChildLimits {
     std::optional<rlim_t> file_bytes;      ///< RLIMIT_FSIZE
     std::optional<rlim_t> address_bytes;   ///< RLIMIT_AS
-    std::optional<uid_t> user;             ///< where the test runs as root
+    bool obeys_permissions = false;        ///< root, too, writes only where files and folders say so
     std::vector<std::string> environment;  ///< "NAME=value"
 };
 
@@ -75,8 +77,9 @@ class Child {
         };
         limit(RLIMIT_FSIZE, limits.file_bytes);
         limit(RLIMIT_AS, limits.address_bytes);
-        const bool is_user = !limits.user || ::setuid(*limits.user) == 0;
-        if (is_user) ::execv(argv[0], argv);
+        const bool is_bound =
+            !limits.obeys_permissions || ::geteuid() != 0 || ::prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE, 0, 0, 0) == 0;
+        if (is_bound) ::execv(argv[0], argv);
         ::_exit(127);
     }
 
