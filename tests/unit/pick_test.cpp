@@ -92,7 +92,7 @@ TEST(PickWater, FindsTheNearestPlaceOfASine) {
 
 TEST(PickWater, LooksPastWaterThatIsBehind) {
     Camera away = over_pool;
-    away.target_m = 2.0 * above.position_m - above.target_m;
+    away.target_m = 2.0 * over_pool.position_m - over_pool.target_m;
     for_pixels(away, [&](dvec2 pixel) { EXPECT_FALSE(pick_water(sampled(test::flat), away, pixel)); });
 }
 
