@@ -39,7 +39,8 @@ function(waterlight_library name)
 endfunction()
 
 # waterlight_together(TARGET): its sources are compiled some at a time in one, for most of their time goes to headers that they
-# share. For what has no loops to be fast: what is inlined across sources could round otherwise. Not for Clang, as below.
+# share. For what has no loops to be fast: what is inlined across sources could round otherwise. A source then sees the names of
+# those before it, and may take one of theirs for its own unnoticed. Not for Clang, as below: a build for a sanitizer notices.
 function(waterlight_together target)
     if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
         set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
