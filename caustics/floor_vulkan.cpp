@@ -97,16 +97,23 @@ class FloorVulkan final : public FloorMapper {
           context_(std::move(context)),
           commands_(context_) {
         constexpr std::uint32_t push = sizeof(FloorParameters);
+        const std::vector<gpu::Texels> numbers{gpu::Texels::r32f}, surface(3, gpu::Texels::r32f);
         const auto land =
-            shaded_ ? gpu::PassSettings{"floor: land shaded", shaders::floor_land_shaded, 7, push, row_workgroup}
-                    : gpu::PassSettings{"floor: land", shaders::floor_land, 6, push, row_workgroup};
+            shaded_
+                ? gpu::PassSettings{"floor: land shaded", shaders::floor_land_shaded, 4, push, row_workgroup, surface}
+                : gpu::PassSettings{"floor: land", shaders::floor_land, 3, push, row_workgroup, surface};
         land_.emplace(context_, land);
         const auto gather =
             settings.footprint == Footprint::adaptive
-                ? gpu::PassSettings{"floor: gather adaptive", shaders::floor_gather_adaptive, 2, push, tile_workgroup}
-                : gpu::PassSettings{"floor: gather", shaders::floor_gather, 2, push, tile_workgroup};
+                ? gpu::PassSettings{"floor: gather adaptive",
+                                    shaders::floor_gather_adaptive,
+                                    1,
+                                    push,
+                                    tile_workgroup,
+                                    numbers}
+                : gpu::PassSettings{"floor: gather", shaders::floor_gather, 1, push, tile_workgroup, numbers};
         gather_.emplace(context_, gather);
-        sum_.emplace(context_, gpu::PassSettings{"floor: sum", shaders::floor_sum, 2, push, tile_workgroup});
+        sum_.emplace(context_, gpu::PassSettings{"floor: sum", shaders::floor_sum, 1, push, tile_workgroup, numbers});
     }
 
     std::string_view backend() const override { return "vulkan"; }
@@ -144,12 +151,12 @@ class FloorVulkan final : public FloorMapper {
         reserve<float>(map_, width * frame.map_height, BufferUse::to_host);
         if (shaded_) {
             reserve<float>(shadows_, 3 * columns * frame.rows.count, BufferUse::from_host);
-            land_->bind({&*places_, &*elevation_, &*slope_x_, &*slope_y_, &*landed_, &*ledger_, &*shadows_});
+            land_->bind({&*places_, &*landed_, &*ledger_, &*shadows_}, {&*elevation_, &*slope_x_, &*slope_y_});
         } else {
-            land_->bind({&*places_, &*elevation_, &*slope_x_, &*slope_y_, &*landed_, &*ledger_});
+            land_->bind({&*places_, &*landed_, &*ledger_}, {&*elevation_, &*slope_x_, &*slope_y_});
         }
-        gather_->bind({&*landed_, &*channels_});
-        sum_->bind({&*channels_, &*map_});
+        gather_->bind({&*channels_}, {&*landed_});
+        sum_->bind({&*map_}, {&*channels_});
     }
 
     void write(const FloorFrame& frame, const Surface& surface) {

@@ -9,9 +9,24 @@ namespace {
 
 using Type = vk::DescriptorType;
 
-std::uint32_t all_of(const BoundCounts& counts) { return counts.buffers + counts.targets; }
+vk::Format vulkan_format(Texels texels) {
+    switch (texels) {
+        case Texels::rg32f:
+            return vk::Format::eR32G32Sfloat;
+        case Texels::rgba32f:
+            return vk::Format::eR32G32B32A32Sfloat;
+        case Texels::r32f:
+            break;
+    }
+    return vk::Format::eR32Sfloat;
+}
+
+std::uint32_t all_of(const BoundCounts& counts) {
+    return counts.buffers + counts.targets + static_cast<std::uint32_t>(counts.texels.size());
+}
 
 Type type_of(const BoundCounts& counts, std::uint32_t binding) {
+    if (binding >= counts.buffers + counts.targets) return Type::eUniformTexelBuffer;
     if (binding >= counts.buffers) return Type::eSampledImage;
     return binding < counts.uniforms ? Type::eUniformBuffer : Type::eStorageBuffer;
 }
@@ -35,7 +50,7 @@ vk::raii::PipelineLayout make_layout(const vk::raii::Device& device, const vk::D
 
 Binding::Binding(const vk::raii::Device& device, BoundCounts bound, std::uint32_t bytes_pushed,
                  vk::ShaderStageFlags used_in)
-    : counts(bound), push_bytes(bytes_pushed), stages(used_in) {
+    : counts(std::move(bound)), push_bytes(bytes_pushed), stages(used_in) {
     assert(counts.buffers > 0 && counts.uniforms <= counts.buffers && push_bytes % 4 == 0 && push_bytes <= 128);
     set_layout = make_set_layout(device, counts, stages);
     layout = make_layout(device, *set_layout, push_bytes, stages);
@@ -47,18 +62,27 @@ Binding::Binding(const vk::raii::Device& device, BoundCounts bound, std::uint32_
 }
 
 void Binding::bind(const vk::raii::Device& device, std::initializer_list<const Buffer*> all,
-                   std::initializer_list<const Target*> read) const {
-    assert(all.size() == counts.buffers && read.size() == counts.targets);
+                   std::initializer_list<const Target*> read, std::initializer_list<const Buffer*> texels) {
+    assert(all.size() == counts.buffers && read.size() == counts.targets && texels.size() == counts.texels.size());
     std::vector<vk::DescriptorBufferInfo> buffers;
     for (const Buffer* buffer : all) buffers.emplace_back(*buffer->impl().main.handle, 0, VK_WHOLE_SIZE);
     std::vector<vk::DescriptorImageInfo> images;
     for (const Target* target : read)
         images.emplace_back(vk::Sampler(), *target->impl().drawn().view, vk::ImageLayout::eShaderReadOnlyOptimal);
+    views.clear();
+    std::vector<vk::BufferView> viewed;
+    for (const Buffer* buffer : texels) {
+        const vk::Format format = vulkan_format(counts.texels[viewed.size()]);
+        views.emplace_back(device, vk::BufferViewCreateInfo({}, *buffer->impl().main.handle, format, 0, VK_WHOLE_SIZE));
+        viewed.push_back(*views.back());
+    }
     std::vector<vk::WriteDescriptorSet> writes;
     for (std::uint32_t i = 0; i < all_of(counts); ++i) {
         vk::WriteDescriptorSet write(*set, i, 0, 1, type_of(counts, i));
         if (i < counts.buffers)
             write.setPBufferInfo(&buffers[i]);
+        else if (i >= counts.buffers + counts.targets)
+            write.setPTexelBufferView(&viewed[i - counts.buffers - counts.targets]);
         else
             write.setPImageInfo(&images[i - counts.buffers]);
         writes.push_back(write);

@@ -42,8 +42,8 @@ Buffer::Buffer(std::shared_ptr<Context> context, std::size_t bytes, BufferUse us
     impl_->use = use;
     const Context::Impl& c = context->impl();
     attempt(fmt::format("allocate {} bytes on {}", bytes, context->device().name), [&] {
-        const vk::BufferUsageFlags usage =
-            Usage::eStorageBuffer | Usage::eUniformBuffer | Usage::eTransferSrc | Usage::eTransferDst;
+        const vk::BufferUsageFlags usage = Usage::eStorageBuffer | Usage::eUniformBuffer | Usage::eUniformTexelBuffer |
+                                           Usage::eTransferSrc | Usage::eTransferDst;
         const bool host = use != BufferUse::device;
         if (host && c.unified) {
             impl_->main = allocate(c, bytes, usage, {seen_by_host | Property::eHostCached, seen_by_host});

@@ -13,7 +13,8 @@ using Access = vk::AccessFlagBits2;
 using Layout = vk::ImageLayout;
 
 constexpr vk::AccessFlags2 device_writes = Access::eShaderStorageWrite | Access::eTransferWrite;
-constexpr vk::AccessFlags2 device_accesses = device_writes | Access::eShaderStorageRead | Access::eTransferRead;
+constexpr vk::AccessFlags2 device_accesses =
+    device_writes | Access::eShaderStorageRead | Access::eShaderSampledRead | Access::eTransferRead;
 constexpr vk::AccessFlags2 drawing_writes = Access::eColorAttachmentWrite | Access::eDepthStencilAttachmentWrite;
 constexpr vk::AccessFlags2 drawing_accesses =
     drawing_writes | Access::eColorAttachmentRead | Access::eDepthStencilAttachmentRead | Access::eShaderSampledRead;

@@ -25,8 +25,8 @@ Pass::Pass(std::shared_ptr<Context> context, const PassSettings& settings) : imp
     impl_->context = std::move(context);
     attempt("build the pass " + settings.name, [&] {
         const vk::raii::Device& device = impl_->context->impl().device;
-        impl_->binding =
-            Binding(device, {.buffers = settings.buffers}, settings.push_bytes, vk::ShaderStageFlagBits::eCompute);
+        impl_->binding = Binding(device, {.buffers = settings.buffers, .texels = settings.texels}, settings.push_bytes,
+                                 vk::ShaderStageFlagBits::eCompute);
         impl_->pipeline = make_pipeline(device, settings, *impl_->binding.layout);
     });
 }
@@ -35,8 +35,8 @@ Pass::~Pass() = default;
 Pass::Pass(Pass&&) noexcept = default;
 Pass& Pass::operator=(Pass&&) noexcept = default;
 
-void Pass::bind(std::initializer_list<const Buffer*> buffers) {
-    impl_->binding.bind(impl_->context->impl().device, buffers);
+void Pass::bind(std::initializer_list<const Buffer*> buffers, std::initializer_list<const Buffer*> texels) {
+    impl_->binding.bind(impl_->context->impl().device, buffers, {}, texels);
 }
 
 }  // namespace waterlight::gpu

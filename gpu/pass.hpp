@@ -7,13 +7,18 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "gpu/buffer.hpp"
 #include "gpu/context.hpp"
 
 namespace waterlight::gpu {
 
-/// The layout of a pass is always the same: storage buffers at set 0, bindings 0, 1, ..., one block of push constants,
+/// What stands in a buffer that is read as texels: numbers of four bytes, so many at once.
+enum class Texels { r32f, rg32f, rgba32f };
+
+/// The layout of a pass is always the same: storage buffers at set 0, bindings 0, 1, ..., then the buffers
+/// that it reads as texels (samplerBuffer), one block of push constants,
 /// and the size of its workgroups as specialisation constants 0, 1 and 2, written in the shader as
 /// `layout(local_size_x_id = 0, local_size_y_id = 1, local_size_z_id = 2) in;`.
 struct PassSettings {
@@ -22,6 +27,7 @@ struct PassSettings {
     std::uint32_t buffers = 0;             ///< how many
     std::uint32_t push_bytes = 0;          ///< a multiple of 4, at most 128
     std::array<std::uint32_t, 3> workgroup{1, 1, 1};
+    std::vector<Texels> texels = {};
 };
 
 class Pass {
@@ -32,8 +38,9 @@ class Pass {
     Pass(Pass&&) noexcept;
     Pass& operator=(Pass&&) noexcept;
 
-    /// The buffers of bindings 0, 1, ..., all of them. They must outlive their use. Not while commands run that use it.
-    void bind(std::initializer_list<const Buffer*> buffers);
+    /// The buffers of bindings 0, 1, ..., all of them, then those read as texels, which no binding of the same pass may
+    /// write where it reads. They must outlive their use. Not while commands run that use it.
+    void bind(std::initializer_list<const Buffer*> buffers, std::initializer_list<const Buffer*> texels = {});
 
     struct Impl;
     const Impl& impl() const { return *impl_; }

@@ -54,8 +54,7 @@ class VulkanSolver final : public ShallowSolver<float> {
           flux_y_(context, cells() * sizeof(glm::vec4), BufferUse::device),
           peak_(context, sizeof(std::uint32_t), BufferUse::to_host),
           commands_(context) {
-        for (gpu::Pass* pass : {&flux_, &update_, &frame_})
-            pass->bind({&start_buffer_, &now_, &change_, &flux_x_, &flux_y_, &peak_});
+        for (gpu::Pass* pass : {&flux_, &update_, &frame_}) bind(*pass, peak_);
         set_start(s, start_, fields_);
         ShallowFrames<float>(s.grid, constants_.gravity, constants_.film).fill(side_demands(sides_, {0, 0, 0}), start_);
         const std::span<glm::vec2> start = start_buffer_.host<glm::vec2>();
@@ -141,14 +140,20 @@ class VulkanSolver final : public ShallowSolver<float> {
     static constexpr float beyond_all = 1e30F;
 
     static gpu::PassSettings pass(const char* name, std::span<const std::uint32_t> spirv,
-                                  std::array<std::uint32_t, 3> workgroup, std::uint32_t buffers = 6) {
-        return {name, spirv, buffers, sizeof(ShallowParameters), workgroup};
+                                  std::array<std::uint32_t, 3> workgroup) {
+        using enum gpu::Texels;
+        return {name, spirv, 5, sizeof(ShallowParameters), workgroup, {rg32f, rgba32f, rgba32f, rgba32f, rgba32f}};
+    }
+
+    /// To the fields and to what the pass alone has, its binding 4.
+    void bind(gpu::Pass& pass, const gpu::Buffer& own) {
+        pass.bind({&now_, &change_, &flux_x_, &flux_y_, &own}, {&start_buffer_, &now_, &change_, &flux_x_, &flux_y_});
     }
 
     void begin_records(const std::shared_ptr<gpu::Context>& context) {
-        record_.emplace(context, pass("shallow water: record", shaders::shallow_record, tile_workgroup, 7));
+        record_.emplace(context, pass("shallow water: record", shaders::shallow_record, tile_workgroup));
         records_buffer_.emplace(context, cells() * sizeof(glm::vec4), BufferUse::both);
-        record_->bind({&start_buffer_, &now_, &change_, &flux_x_, &flux_y_, &peak_, &*records_buffer_});
+        bind(*record_, *records_buffer_);
         records_ = empty_records(nx_, ny_);
         std::ranges::fill(records_buffer_->host<glm::vec4>(), glm::vec4(-beyond_all, 0, beyond_all, 0));
         commands_.upload(*records_buffer_);

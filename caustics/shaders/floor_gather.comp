@@ -12,9 +12,11 @@
 layout(local_size_x_id = 0, local_size_y_id = 1, local_size_z_id = 2) in;
 
 layout(push_constant) uniform Push { FloorParameters f; };
-layout(std430, binding = 0) readonly buffer Landed { float landed[]; };
 // Channel by channel: the rows of the band, map_width wide.
-layout(std430, binding = 1) buffer Channels { float channels[]; };
+layout(std430, binding = 0) buffer Channels { float channels[]; };
+layout(binding = 1) uniform samplerBuffer landed_texels;
+
+float landed(int at) { return texelFetch(landed_texels, at).x; }
 
 int slot(int channel, int row, int x) {
     return ((channel + f.half_channels) * f.band_count + row) * f.map_width + x;
@@ -35,11 +37,11 @@ void main() {
     int last = min(x + f.half_samples, f.first_column + f.column_count - 1);
     for (int base = first; base <= last; ++base) {
         int at = row * f.column_count + base - f.first_column;
-        real along_x = pixel_overlap(landed[at] - real(x - base));
+        real along_x = pixel_overlap(landed(at) - real(x - base));
         if (!(along_x > 0)) continue;
-        real y = landed[at + band_size];
+        real y = landed(at + band_size);
         if (!(abs(y) <= real(f.half_channels + 1))) continue;
-        real light = along_x * landed[at + 2 * band_size];
+        real light = along_x * landed(at + 2 * band_size);
         int low = int(floor(y));
         add(low, row, x, light * pixel_overlap(y - real(low)));
         add(low + 1, row, x, light * pixel_overlap(y - real(low + 1)));

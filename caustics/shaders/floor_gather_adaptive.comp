@@ -11,9 +11,11 @@
 layout(local_size_x_id = 0, local_size_y_id = 1, local_size_z_id = 2) in;
 
 layout(push_constant) uniform Push { FloorParameters f; };
-layout(std430, binding = 0) readonly buffer Landed { float landed[]; };
 // Channel by channel: the rows of the band, map_width wide.
-layout(std430, binding = 1) buffer Channels { float channels[]; };
+layout(std430, binding = 0) buffer Channels { float channels[]; };
+layout(binding = 1) uniform samplerBuffer landed_texels;
+
+float landed(int at) { return texelFetch(landed_texels, at).x; }
 
 int slot(int channel, int row, int x) {
     return ((channel + f.half_channels) * f.band_count + row) * f.map_width + x;
@@ -44,10 +46,10 @@ void main() {
     int strips = f.options >> 3;
     for (int base = first; base <= last; ++base) {
         int at = row * f.column_count + base - f.first_column;
-        Parallelogram shape = Parallelogram(landed[at + 3 * band_size], landed[at + 4 * band_size],
-                                            landed[at + 5 * band_size], landed[at + 6 * band_size]);
-        real2 centre = real2(landed[at], landed[at + band_size]);
-        real light = landed[at + 2 * band_size] / real(strips);
+        Parallelogram shape = Parallelogram(landed(at + 3 * band_size), landed(at + 4 * band_size),
+                                            landed(at + 5 * band_size), landed(at + 6 * band_size));
+        real2 centre = real2(landed(at), landed(at + band_size));
+        real light = landed(at + 2 * band_size) / real(strips);
         for (int k = 0; k < strips; ++k)
             add_strip(strip_of(shape, centre, real(k), real(strips)), light, real(x - base), row, x);
     }

@@ -13,16 +13,20 @@ layout(local_size_x_id = 0, local_size_y_id = 1, local_size_z_id = 2) in;
 
 layout(push_constant) uniform Push { FloorParameters f; };
 layout(std430, binding = 0) readonly buffer Places { FloorPlace places[]; };  // of the columns, then of the rows
-layout(std430, binding = 1) readonly buffer Elevation { float elevations[]; };
-layout(std430, binding = 2) readonly buffer SlopeX { float slopes_x[]; };
-layout(std430, binding = 3) readonly buffer SlopeY { float slopes_y[]; };
 // Displacement along x of the whole band, then along y, then power; with the adaptive footprint also the width, height,
 // slant and slide of the parallelograms.
-layout(std430, binding = 4) writeonly buffer Landed { float landed[]; };
-layout(std430, binding = 5) writeonly buffer Ledger { FloorRowLedger ledger[]; };
+layout(std430, binding = 1) writeonly buffer Landed { float landed[]; };
+layout(std430, binding = 2) writeonly buffer Ledger { FloorRowLedger ledger[]; };
 #ifdef SHADOWS
-layout(std430, binding = 6) readonly buffer Shadows { float shadows[]; };  // of each sample: above, below, stopped
+layout(std430, binding = 3) readonly buffer Shadows { float shadows[]; };  // of each sample: above, below, stopped
+const int first_texels = 4;
+#else
+const int first_texels = 3;
 #endif
+// The surface, as texels: a device that is a CPU takes numbers of buffers one by one.
+layout(binding = first_texels) uniform samplerBuffer elevations;
+layout(binding = first_texels + 1) uniform samplerBuffer slopes_x;
+layout(binding = first_texels + 2) uniform samplerBuffer slopes_y;
 
 struct SurfaceSample {
     real elevation;
@@ -48,7 +52,8 @@ SurfaceSample read_surface(int i, int j) {
     ivec4 cells = ivec4(x.low, x.high, x.low, x.high) + f.nx * ivec4(y.low, y.low, y.high, y.high);
     vec4 mirror_x = vec4(x.mirror_low, x.mirror_high, x.mirror_low, x.mirror_high);
     vec4 mirror_y = vec4(y.mirror_low, y.mirror_low, y.mirror_high, y.mirror_high);
-#define AROUND(field) vec4(field[cells[0]], field[cells[1]], field[cells[2]], field[cells[3]])
+#define AT(field, n) texelFetch(field, cells[n]).x
+#define AROUND(field) vec4(AT(field, 0), AT(field, 1), AT(field, 2), AT(field, 3))
     SurfaceSample s;
     s.elevation = blend(AROUND(elevations), x, y) + f.climb_x * wraps_between(x) + f.climb_y * wraps_between(y);
     s.slope = real2(blend(mirror_x * AROUND(slopes_x), x, y), blend(mirror_y * AROUND(slopes_y), x, y));

@@ -8,8 +8,8 @@
 layout(local_size_x_id = 0, local_size_y_id = 1, local_size_z_id = 2) in;
 
 layout(push_constant) uniform Push { FloorParameters f; };
-layout(std430, binding = 0) readonly buffer Channels { float channels[]; };
-layout(std430, binding = 1) buffer Map { float map[]; };
+layout(std430, binding = 0) buffer Map { float map[]; };
+layout(binding = 1) uniform samplerBuffer channels;
 
 void main() {
     int first_base = f.first_row + f.band_begin;
@@ -22,7 +22,7 @@ void main() {
     float sum = 0;
     for (int channel = lowest; channel <= highest; ++channel) {
         int row = y - channel - first_base;
-        sum += channels[((channel + f.half_channels) * f.band_count + row) * f.map_width + x];
+        sum += texelFetch(channels, ((channel + f.half_channels) * f.band_count + row) * f.map_width + x).x;
     }
     if (lowest <= highest) map[y * f.map_width + x] += sum;
 }

@@ -100,9 +100,11 @@ struct BoundCounts {
     std::uint32_t uniforms = 0;  ///< of the buffers
     std::uint32_t buffers = 0;
     std::uint32_t targets = 0;
+    std::vector<Texels> texels = {};
 };
 
-/// The buffers of a pass at set 0, bindings 0, 1, ..., then the pictures it reads, and its block of push constants.
+/// The buffers of a pass at set 0, bindings 0, 1, ..., then the pictures it reads, then the buffers it reads as texels,
+/// and its block of push constants.
 struct Binding {
     BoundCounts counts;
     std::uint32_t push_bytes = 0;
@@ -110,13 +112,14 @@ struct Binding {
     vk::raii::DescriptorSetLayout set_layout{nullptr};
     vk::raii::PipelineLayout layout{nullptr};
     vk::raii::DescriptorPool pool{nullptr};
+    std::vector<vk::raii::BufferView> views;
     vk::raii::DescriptorSet set{nullptr};
 
     Binding() = default;
     Binding(const vk::raii::Device& device, BoundCounts bound, std::uint32_t bytes_pushed,
             vk::ShaderStageFlags used_in);
     void bind(const vk::raii::Device& device, std::initializer_list<const Buffer*> all,
-              std::initializer_list<const Target*> read = {}) const;
+              std::initializer_list<const Target*> read = {}, std::initializer_list<const Buffer*> texels = {});
     void use(const vk::raii::CommandBuffer& list, vk::PipelineBindPoint point,
              std::span<const std::byte> parameters) const;
 };

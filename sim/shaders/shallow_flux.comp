@@ -12,9 +12,10 @@ struct CellWater {
 
 CellWater water(int i, int j, bool along_y) {
     int k = at(i, j);
-    vec4 state = now[k];
-    if (p.stage == 2) state.xyz = vec3(state.x + change[k].x, change[k].yz);
-    vec2 first = start[k];
+    vec4 state = now_at(k);
+    vec4 added = change_at(k);
+    if (p.stage == 2) state.xyz = vec3(state.x + added.x, added.yz);
+    vec2 first = start_at(k);
     real depth = first.y + state.x;
     real h = depth < 0 ? 0 : depth;  // a NaN stays
     vec2 velocity = flow_per_discharge(h, p.film) * state.yz;

@@ -6,6 +6,8 @@
 
 #include "sim/shaders/shallow_fields.glsl"
 
+SHALLOW_PEAK
+
 struct Side {
     SideDemand demand;
     bool along_y;  // the side runs along y: west or east
@@ -28,7 +30,7 @@ int place(Side side, int n, int depth) {
 // What stands in the frame for the water of cell `from`: its rise, and discharge along x and y.
 vec3 beyond(Side side, int from, vec3 state) {
     real inward = side.high ? -1 : 1;
-    vec2 first = start[from];
+    vec2 first = start_at(from);
     real e = first.x + state.x;
     real h = max(first.y + state.x, 0);
     vec2 velocity = flow_per_discharge(h, p.film) * (side.along_y ? state.yz : state.zy);

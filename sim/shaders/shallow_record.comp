@@ -7,15 +7,15 @@
 #include "sim/kernels/shallow_records.glsl"
 
 // CellRecord, and a fourth number of no account.
-layout(std430, binding = 6) buffer Records { vec4 records[]; };
+layout(std430, binding = 4) buffer Records { vec4 records[]; };
 
 void main() {
     int i = int(gl_GlobalInvocationID.x);
     int j = int(gl_GlobalInvocationID.y);
     if (i >= p.nx || j >= p.ny) return;
     int k = at(i, j);
-    vec2 first = start[k];
-    vec4 state = now[k];
+    vec2 first = start_at(k);
+    vec4 state = now_at(k);
     real h = first.y + state.x;
     real speed = flow_per_discharge(h, p.film) * length(state.yz);
     bool wet = h > p.wet;

@@ -6,6 +6,8 @@
 
 #include "sim/shaders/shallow_fields.glsl"
 
+SHALLOW_PEAK
+
 shared uint fastest;
 
 // What a cell gives through its faces: the part of its outflow that it can, and the velocity of the rest. Beyond the
@@ -16,18 +18,20 @@ struct Donor {
 };
 
 real outflow(int i, int j) {
-    real low_x = min(flux_x[at(i, j)].x, 0);
-    real high_x = max(flux_x[at(i + 1, j)].x, 0);
-    real low_y = min(flux_y[at(i, j)].x, 0);
-    real high_y = max(flux_y[at(i, j + 1)].x, 0);
+    real low_x = min(flux_x_at(at(i, j)).x, 0);
+    real high_x = max(flux_x_at(at(i + 1, j)).x, 0);
+    real low_y = min(flux_y_at(at(i, j)).x, 0);
+    real high_y = max(flux_y_at(at(i, j + 1)).x, 0);
     precise real all = p.per_dx * (high_x - low_x) + p.per_dy * (high_y - low_y);
     return all;
 }
 
 // Discharge and depth of a cell that the stage starts from.
 vec3 from(int k) {
-    precise real depth = start[k].y + now[k].x;
-    return p.stage == 2 ? change[k].yzw : vec3(now[k].yz, depth < 0 ? 0 : depth);  // a NaN stays
+    if (p.stage == 2) return change_at(k).yzw;
+    vec4 state = now_at(k);
+    precise real depth = start_at(k).y + state.x;
+    return vec3(state.yz, depth < 0 ? 0 : depth);  // a NaN stays
 }
 
 Donor donor(int i, int j) {
@@ -53,8 +57,8 @@ Given given(vec4 flux, Donor donor, bool along_y) {
 
 // The rise that the stage adds, and the discharge that it leads to.
 vec3 advanced(int i, int j) {
-    vec4 flux_west = flux_x[at(i, j)], flux_east = flux_x[at(i + 1, j)];
-    vec4 flux_south = flux_y[at(i, j)], flux_north = flux_y[at(i, j + 1)];
+    vec4 flux_west = flux_x_at(at(i, j)), flux_east = flux_x_at(at(i + 1, j));
+    vec4 flux_south = flux_y_at(at(i, j)), flux_north = flux_y_at(at(i, j + 1));
     Donor own = donor(i, j);
     Given west = given(flux_west, flux_west.x > 0 ? donor(i - 1, j) : own, false);
     Given east = given(flux_east, flux_east.x > 0 ? own : donor(i + 1, j), false);
@@ -69,9 +73,10 @@ vec3 advanced(int i, int j) {
 }
 
 void first_stage(int k, vec3 reached) {
-    precise real depth = start[k].y + now[k].x;
+    real depth_at_start = start_at(k).y, before = now_at(k).x;
+    precise real depth = depth_at_start + before;
     precise real rise = reached.x < -depth ? -depth : reached.x;
-    precise real next = start[k].y + (now[k].x + rise);
+    precise real next = depth_at_start + (before + rise);
     change[k] = vec4(rise, reached.yz, next < 0 ? 0 : next);  // a NaN stays
 }
 
@@ -80,33 +85,33 @@ real rubbed(real h, vec2 q) {
     return p.friction > 0 ? friction_part(h, length(q), p.friction, p.film) : 1;
 }
 
-void second_stage(int k, vec3 reached) {
-    vec4 before = now[k];
-    real empty = -start[k].y;
-    precise real wanted = 0.5 * (change[k].x + reached.x) + before.w;
+// What the step makes of `before`.
+vec4 second_stage(int k, vec4 before, vec3 reached) {
+    real empty = -start_at(k).y;
+    precise real wanted = 0.5 * (change_at(k).x + reached.x) + before.w;
     precise real level = before.x + wanted;
     precise real next = level < empty ? empty : level;  // a NaN stays
     precise real carry = wanted - (next - before.x);
     vec2 q = 0.5 * (before.yz + reached.yz);
-    q *= rubbed(start[k].y + next, q);
-    now[k] = vec4(next, q, carry);
+    return vec4(next, q * rubbed(next - empty, q), carry);
 }
 
 // The discharge of a film follows its velocity. Returns the bits of the crossing rate.
-uint settle(int k) {
-    vec4 state = now[k];
-    real h = start[k].y + state.x;
+uint settle(int k, vec4 state) {
+    real h = start_at(k).y + state.x;
     vec2 velocity = state.yz * flow_per_discharge(h, p.film);
-    if (h < p.film) now[k].yz = h * velocity;
+    if (h < p.film) state.yz = h * velocity;
+    if (h < p.film || p.stage == 2) now[k] = state;
     return rate_bits(crossing_rate(h, velocity.x, velocity.y, p.gravity, p.per_dx, p.per_dy));
 }
 
 uint update(int i, int j) {
     int k = at(i, j);
-    if (p.stage == 3) now[k].yz *= rubbed(start[k].y + now[k].x, now[k].yz);
+    vec4 state = now_at(k);
+    if (p.stage == 3) now[k].yz = state.yz * rubbed(start_at(k).y + state.x, state.yz);
     if (p.stage == 1) first_stage(k, advanced(i, j));
-    if (p.stage == 2) second_stage(k, advanced(i, j));
-    return p.stage == 1 || p.stage == 3 ? 0 : settle(k);
+    if (p.stage == 2) state = second_stage(k, state, advanced(i, j));
+    return p.stage == 1 || p.stage == 3 ? 0 : settle(k, state);
 }
 
 void main() {
