@@ -1,4 +1,6 @@
 // The buffers, pictures and push constants of a pass.
+#include <fmt/format.h>
+
 #include <cassert>
 
 #include "gpu/detail/vulkan.hpp"
@@ -19,6 +21,19 @@ vk::Format vulkan_format(Texels texels) {
             break;
     }
     return vk::Format::eR32Sfloat;
+}
+
+std::size_t bytes_of(Texels texels) {
+    return sizeof(float) * (texels == Texels::rgba32f ? 4 : (texels == Texels::rg32f ? 2 : 1));
+}
+
+vk::raii::BufferView make_view(Context& context, const Buffer& buffer, Texels texels) {
+    const std::size_t count = buffer.bytes() / bytes_of(texels), most = context.device().most_texels;
+    if (count > most)
+        throw Error(
+            fmt::format("a buffer of {} texels is more than the {} that {} reads", count, most, context.device().name));
+    return {context.impl().device,
+            vk::BufferViewCreateInfo({}, *buffer.impl().main.handle, vulkan_format(texels), 0, VK_WHOLE_SIZE)};
 }
 
 std::uint32_t all_of(const BoundCounts& counts) {
@@ -61,7 +76,7 @@ Binding::Binding(const vk::raii::Device& device, BoundCounts bound, std::uint32_
     set = std::move(sets.front());
 }
 
-void Binding::bind(const vk::raii::Device& device, std::initializer_list<const Buffer*> all,
+void Binding::bind(Context& context, std::initializer_list<const Buffer*> all,
                    std::initializer_list<const Target*> read, std::initializer_list<const Buffer*> texels) {
     assert(all.size() == counts.buffers && read.size() == counts.targets && texels.size() == counts.texels.size());
     std::vector<vk::DescriptorBufferInfo> buffers;
@@ -72,8 +87,7 @@ void Binding::bind(const vk::raii::Device& device, std::initializer_list<const B
     views.clear();
     std::vector<vk::BufferView> viewed;
     for (const Buffer* buffer : texels) {
-        const vk::Format format = vulkan_format(counts.texels[viewed.size()]);
-        views.emplace_back(device, vk::BufferViewCreateInfo({}, *buffer->impl().main.handle, format, 0, VK_WHOLE_SIZE));
+        views.push_back(make_view(context, *buffer, counts.texels[viewed.size()]));
         viewed.push_back(*views.back());
     }
     std::vector<vk::WriteDescriptorSet> writes;
@@ -87,7 +101,7 @@ void Binding::bind(const vk::raii::Device& device, std::initializer_list<const B
             write.setPImageInfo(&images[i - counts.buffers]);
         writes.push_back(write);
     }
-    device.updateDescriptorSets(writes, {});
+    context.impl().device.updateDescriptorSets(writes, {});
 }
 
 void Binding::use(const vk::raii::CommandBuffer& list, vk::PipelineBindPoint point,

@@ -18,6 +18,10 @@ enum class BufferUse {
     both        ///< the host writes and reads it
 };
 
+/// What stands in a buffer that a shader reads as texels (`samplerBuffer`): one, two or four numbers. A device that is
+/// a CPU reads a storage buffer one invocation at a time, and the texels of several at once.
+enum class Texels { r32f, rg32f, rgba32f };
+
 /// Storage that passes read and write. Where device and host share one memory, host() is that memory itself and nothing
 /// is ever copied; elsewhere it is a staging area.
 class Buffer {

@@ -12,6 +12,7 @@ namespace {
 
 constexpr Version needed_api{1, 3, 0};
 constexpr std::uint64_t needed_storage_buffer_b = std::uint64_t{1} << 27;  // what Vulkan itself requires
+constexpr std::uint32_t needed_texels = needed_storage_buffer_b / 4;       // such a buffer of single numbers
 
 std::vector<std::string> rejections(const DeviceDescription& device) {
     std::vector<std::string> reasons;
@@ -21,6 +22,8 @@ std::vector<std::string> rejections(const DeviceDescription& device) {
     if (device.largest_storage_buffer_b < needed_storage_buffer_b)
         reasons.push_back(fmt::format("holds storage buffers of {} bytes, needs {}", device.largest_storage_buffer_b,
                                       needed_storage_buffer_b));
+    if (device.most_texels < needed_texels)
+        reasons.push_back(fmt::format("reads {} texels of a buffer, needs {}", device.most_texels, needed_texels));
     if (!device.presents) return reasons;
     for (std::string& reason : drawing_rejections(device)) reasons.push_back(std::move(reason));
     if (!*device.presents) reasons.emplace_back("cannot show pictures in this window system");

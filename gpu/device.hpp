@@ -32,6 +32,7 @@ struct DeviceDescription {
     Version api;
     bool compute = false;                        ///< some queue of it runs compute passes
     std::uint64_t largest_storage_buffer_b = 0;  ///< bytes
+    std::uint32_t most_texels = 0;               ///< of a buffer that is read as texels
     std::uint64_t memory_b = 0;                  ///< bytes of device-local memory
     bool graphics = false;                       ///< the queue that runs compute passes draws too
     bool adds_floats = false;                    ///< blends into targets of 32-bit floats

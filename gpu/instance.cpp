@@ -138,6 +138,7 @@ DeviceDescription describe(const vk::raii::PhysicalDevice& device) {
     description.largest_target =
         std::min(properties.limits.maxFramebufferWidth, properties.limits.maxFramebufferHeight);
     description.largest_storage_buffer_b = properties.limits.maxStorageBufferRange;
+    description.most_texels = properties.limits.maxTexelBufferElements;
     description.memory_b = local_memory(device);
     if (properties.apiVersion >= VK_API_VERSION_1_2) {
         const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();

@@ -96,7 +96,7 @@ void InterfacePass::load(const InterfaceDrawing& drawing) {
     reserve(indices_, sizeof(std::uint32_t) * drawing.indices.size());
     fill<InterfaceCorner>(*corners_, drawing.corners);
     fill<std::uint32_t>(*indices_, drawing.indices);
-    binding_.bind(context_->impl().device, {&*corners_, &*indices_, &atlas_});
+    binding_.bind(*context_, {&*corners_, &*indices_, &atlas_});
     commands_.upload(*corners_);
     commands_.upload(*indices_);
     if (corners_->impl().staged()) commands_.run();

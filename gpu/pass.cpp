@@ -36,7 +36,7 @@ Pass::Pass(Pass&&) noexcept = default;
 Pass& Pass::operator=(Pass&&) noexcept = default;
 
 void Pass::bind(std::initializer_list<const Buffer*> buffers, std::initializer_list<const Buffer*> texels) {
-    impl_->binding.bind(impl_->context->impl().device, buffers, {}, texels);
+    impl_->binding.bind(*impl_->context, buffers, {}, texels);
 }
 
 }  // namespace waterlight::gpu

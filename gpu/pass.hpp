@@ -14,20 +14,16 @@
 
 namespace waterlight::gpu {
 
-/// What stands in a buffer that is read as texels: numbers of four bytes, so many at once.
-enum class Texels { r32f, rg32f, rgba32f };
-
-/// The layout of a pass is always the same: storage buffers at set 0, bindings 0, 1, ..., then the buffers
-/// that it reads as texels (samplerBuffer), one block of push constants,
-/// and the size of its workgroups as specialisation constants 0, 1 and 2, written in the shader as
-/// `layout(local_size_x_id = 0, local_size_y_id = 1, local_size_z_id = 2) in;`.
+/// The layout of a pass is always the same: storage buffers at set 0, bindings 0, 1, ..., then the buffers that it
+/// reads as texels, one block of push constants, and the size of its workgroups as specialisation constants 0, 1 and 2,
+/// written in the shader as `layout(local_size_x_id = 0, local_size_y_id = 1, local_size_z_id = 2) in;`.
 struct PassSettings {
     std::string name;                      ///< for errors and timings
     std::span<const std::uint32_t> spirv;  ///< entry point "main"; must outlive the pass
     std::uint32_t buffers = 0;             ///< how many
     std::uint32_t push_bytes = 0;          ///< a multiple of 4, at most 128
     std::array<std::uint32_t, 3> workgroup{1, 1, 1};
-    std::vector<Texels> texels = {};
+    std::vector<Texels> texels = {};  ///< what stands in the buffers that are read as texels
 };
 
 class Pass {
@@ -38,8 +34,8 @@ class Pass {
     Pass(Pass&&) noexcept;
     Pass& operator=(Pass&&) noexcept;
 
-    /// The buffers of bindings 0, 1, ..., all of them, then those read as texels, which no binding of the same pass may
-    /// write where it reads. They must outlive their use. Not while commands run that use it.
+    /// The buffers of bindings 0, 1, ..., all of them, then those read as texels; one may be both, where no invocation
+    /// reads a texel that another writes. They must outlive their use. Not while commands run that use it.
     void bind(std::initializer_list<const Buffer*> buffers, std::initializer_list<const Buffer*> texels = {});
 
     struct Impl;

@@ -75,8 +75,8 @@ Raster::Raster(std::shared_ptr<Context> context, const RasterSettings& settings)
     impl_->context = std::move(context);
     attempt("build the pass " + settings.name, [&] {
         const vk::raii::Device& device = impl_->context->impl().device;
-        impl_->binding = Binding(device, {settings.uniforms, settings.buffers, settings.targets}, settings.push_bytes,
-                                 Stage::eVertex | Stage::eFragment);
+        impl_->binding = Binding(device, {settings.uniforms, settings.buffers, settings.targets, settings.texels},
+                                 settings.push_bytes, Stage::eVertex | Stage::eFragment);
         impl_->pipeline = make_pipeline(device, settings, *impl_->binding.layout);
     });
 }
@@ -85,8 +85,9 @@ Raster::~Raster() = default;
 Raster::Raster(Raster&&) noexcept = default;
 Raster& Raster::operator=(Raster&&) noexcept = default;
 
-void Raster::bind(std::initializer_list<const Buffer*> buffers, std::initializer_list<const Target*> targets) {
-    impl_->binding.bind(impl_->context->impl().device, buffers, targets);
+void Raster::bind(std::initializer_list<const Buffer*> buffers, std::initializer_list<const Target*> targets,
+                  std::initializer_list<const Buffer*> texels) {
+    impl_->binding.bind(*impl_->context, buffers, targets, texels);
     impl_->read.assign(targets);
 }
 

@@ -85,8 +85,9 @@ struct RasterSettings {
     Topology topology = Topology::strip;
     Blend blend = Blend::add;
     Depth depth = Depth::none;
-    Format format = Format::r32f;  ///< of what it draws into
-    std::uint32_t samples = 1;     ///< of the same, as Target::samples() says
+    Format format = Format::r32f;     ///< of what it draws into
+    std::uint32_t samples = 1;        ///< of the same, as Target::samples() says
+    std::vector<Texels> texels = {};  ///< buffers read as texels, after the pictures
 };
 
 class Raster {
@@ -99,7 +100,8 @@ class Raster {
 
     /// The buffers of bindings 0, 1, ..., all of them, then the targets. They must outlive their use. Not while
     /// commands run that use it.
-    void bind(std::initializer_list<const Buffer*> buffers, std::initializer_list<const Target*> targets = {});
+    void bind(std::initializer_list<const Buffer*> buffers, std::initializer_list<const Target*> targets = {},
+              std::initializer_list<const Buffer*> texels = {});
 
     struct Impl;
     const Impl& impl() const { return *impl_; }

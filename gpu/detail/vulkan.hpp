@@ -118,7 +118,8 @@ struct Binding {
     Binding() = default;
     Binding(const vk::raii::Device& device, BoundCounts bound, std::uint32_t bytes_pushed,
             vk::ShaderStageFlags used_in);
-    void bind(const vk::raii::Device& device, std::initializer_list<const Buffer*> all,
+    /// Throws gpu::Error where the device does not read so many texels.
+    void bind(Context& context, std::initializer_list<const Buffer*> all,
               std::initializer_list<const Target*> read = {}, std::initializer_list<const Buffer*> texels = {});
     void use(const vk::raii::CommandBuffer& list, vk::PipelineBindPoint point,
              std::span<const std::byte> parameters) const;

@@ -9,7 +9,7 @@ namespace {
 
 gpu::RasterSettings settings() {
     gpu::RasterSettings s = surface_settings("beams", shaders::whole, shaders::beams);
-    s.buffers += 1;
+    s.texels.push_back(gpu::Texels::r32f);
     s.blend = gpu::Blend::add;
     s.depth = gpu::Depth::none;
     return s;

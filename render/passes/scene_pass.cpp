@@ -19,24 +19,26 @@ gpu::Raster& ScenePass::bound(const Frame& frame, const Variant& variant, const 
     gpu::Raster& raster = found->second.raster;
     if (std::exchange(found->second.frame, frame.number) == frame.number) return raster;
     if (more == nullptr)
-        raster.bind({&*b.block, &*b.surface, &*b.light, &*b.medium, &*b.ground, &*b.copies, &*b.palette});
+        raster.bind({&*b.block, &*b.copies, &*b.palette}, {}, {&*b.surface, &*b.light, &*b.medium, &*b.ground});
     else
-        raster.bind({&*b.block, &*b.surface, &*b.light, &*b.medium, &*b.ground, &*b.copies, &*b.palette, more});
+        raster.bind({&*b.block, &*b.copies, &*b.palette}, {}, {&*b.surface, &*b.light, &*b.medium, &*b.ground, more});
     return raster;
 }
 
 gpu::RasterSettings surface_settings(std::string name, std::span<const std::uint32_t> vertex,
                                      std::span<const std::uint32_t> fragment) {
+    using enum gpu::Texels;
     return {.name = std::move(name),
             .vertex_spirv = vertex,
             .fragment_spirv = fragment,
-            .buffers = 7,
+            .buffers = 3,
             .push_bytes = sizeof(PassParameters),
             .uniforms = 1,
             .topology = gpu::Topology::strip,
             .blend = gpu::Blend::replace,
             .depth = gpu::Depth::test_and_set,
-            .format = gpu::Format::rgba16f};
+            .format = gpu::Format::rgba16f,
+            .texels = {rgba32f, r32f, r32f, r32f}};
 }
 
 }  // namespace waterlight

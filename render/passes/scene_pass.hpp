@@ -14,7 +14,7 @@ class ScenePass {
     /// `base` holds all but constants and samples.
     ScenePass(std::shared_ptr<gpu::Context> context, gpu::RasterSettings base);
 
-    /// The raster pass of this variant, bound to the frame's buffers; `more` lies at the binding after them.
+    /// The raster pass of this variant, bound to the frame's buffers; `more` are numbers at the binding after them.
     gpu::Raster& bound(const Frame& frame, const Variant& variant, const gpu::Buffer* more = nullptr);
 
   private:

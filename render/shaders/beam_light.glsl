@@ -6,8 +6,8 @@ float beam_light(vec2 fragment) {
     vec2 at = clamp(fragment * vec2(size) / vec2(p.u1, p.v1) - 0.5, vec2(0), vec2(most));
     ivec2 low = min(ivec2(at), max(most - 1, ivec2(0))), high = min(low + 1, most);
     vec2 w = at - vec2(low);
-    return bilinear(beams[low.y * size.x + low.x], beams[low.y * size.x + high.x], beams[high.y * size.x + low.x],
-                    beams[high.y * size.x + high.x], w.x, w.y);
+    return bilinear(beam_value(low.y * size.x + low.x), beam_value(low.y * size.x + high.x),
+                    beam_value(high.y * size.x + low.x), beam_value(high.y * size.x + high.x), w.x, w.y);
 }
 
 float flat_light(float colour, float way, float depth, float fall) {

@@ -6,7 +6,9 @@
 #include "render/shaders/light.glsl"
 #include "render/shaders/water.glsl"
 
-layout(std430, binding = 7) readonly buffer Beams { float beams[]; };
+layout(binding = 7) uniform samplerBuffer beam_texels;
+
+float beam_value(int k) { return texelFetch(beam_texels, k).x; }
 layout(location = 0) out vec4 drawn;
 
 #include "render/shaders/beam_light.glsl"

@@ -6,7 +6,7 @@ vec3 colours() { return vec3(s.colour_r, s.colour_g, s.colour_b); }
 float light_at(int offset, int stride, vec2 place) {
     vec2 low = floor(place), w = place - low;
     int k = offset + int(low.y) * stride + int(low.x);
-    return bilinear(light[k], light[k + 1], light[k + stride], light[k + stride + 1], w.x, w.y);
+    return bilinear(light_value(k), light_value(k + 1), light_value(k + stride), light_value(k + stride + 1), w.x, w.y);
 }
 
 // Whether the sun reaches a place through flat water past the rims of the walls.

@@ -21,12 +21,18 @@ layout(constant_id = 16) const int kind = 0;              // what of several thi
 
 layout(push_constant) uniform Push { PassParameters p; };
 layout(std140, binding = 0) uniform SceneBlock { SceneParameters s; };
-layout(std430, binding = 1) readonly buffer SurfaceLevels { vec4 surface_cells[]; };  // slopes, variance, elevation
-layout(std430, binding = 2) readonly buffer LightMaps { float light[]; };
-layout(std430, binding = 3) readonly buffer Medium { float medium[]; };  // phase function, then the volume
-layout(std430, binding = 4) readonly buffer Ground { float ground[]; };  // heights, with a margin of one cell
-layout(std430, binding = 5) readonly buffer Copies { vec4 copies[]; };   // shift of each copy
-layout(std430, binding = 6) readonly buffer Palette { vec4 palette[]; };
+layout(std430, binding = 1) readonly buffer Copies { vec4 copies[]; };   // shift of each copy
+layout(std430, binding = 2) readonly buffer Palette { vec4 palette[]; };
+// What pixels look up, as texels: a device that is a CPU takes numbers of buffers one by one.
+layout(binding = 3) uniform samplerBuffer surface_texels;  // slopes, variance, elevation
+layout(binding = 4) uniform samplerBuffer light_texels;    // maps
+layout(binding = 5) uniform samplerBuffer medium_texels;   // phase function, then the volume
+layout(binding = 6) uniform samplerBuffer ground_texels;   // heights, with a margin of one cell
+
+vec4 surface_cell(int k) { return texelFetch(surface_texels, k); }
+float light_value(int k) { return texelFetch(light_texels, k).x; }
+float medium_value(int k) { return texelFetch(medium_texels, k).x; }
+float ground_value(int k) { return texelFetch(ground_texels, k).x; }
 
 // What the next pixel to the right, and the next up, differ by. Derivatives of the device would not do: at the edge of a
 // triangle the pixels beyond it need not read buffers.

@@ -18,8 +18,8 @@ CellsAround cells_around(vec2 u) {
 }
 
 float elevation_at(CellsAround c) {
-    return bilinear(surface_cells[c.low].w, surface_cells[c.low + 1].w, surface_cells[c.low + c.stride].w,
-                    surface_cells[c.low + c.stride + 1].w, c.weight.x, c.weight.y);
+    return bilinear(surface_cell(c.low).w, surface_cell(c.low + 1).w, surface_cell(c.low + c.stride).w,
+                    surface_cell(c.low + c.stride + 1).w, c.weight.x, c.weight.y);
 }
 
 // Whether more water than `depth` stands over the ground at `u`: the shore as the fields have it, whatever the meshes.
@@ -33,8 +33,8 @@ struct Slopes {
 
 // `along` and `across` are the semi-axes of the footprint, m.
 Slopes slopes_at(CellsAround c, vec2 along, vec2 across) {
-    vec3 a = vec3(surface_cells[c.low]), b = vec3(surface_cells[c.low + 1]);
-    vec3 e = vec3(surface_cells[c.low + c.stride]), f = vec3(surface_cells[c.low + c.stride + 1]);
+    vec3 a = vec3(surface_cell(c.low)), b = vec3(surface_cell(c.low + 1));
+    vec3 e = vec3(surface_cell(c.low + c.stride)), f = vec3(surface_cell(c.low + c.stride + 1));
     vec3 low = a + c.weight.x * (b - a), high = e + c.weight.x * (f - e);
     vec3 here = low + c.weight.y * (high - low);
     Slopes slopes;

@@ -56,7 +56,7 @@ Meeting meet(vec3 from, vec3 d) {
 
 float phase_at(float cosine) {
     PhaseNode node = phase_node(cosine);
-    return medium[node.index] + node.part * (medium[node.index + 1] - medium[node.index]);
+    return medium_value(node.index) + node.part * (medium_value(node.index + 1) - medium_value(node.index));
 }
 
 float volume_at(vec3 place) {
@@ -71,8 +71,9 @@ float volume_at(vec3 place) {
     i1 = clamp(i1, ivec2(0), most);
     int k = clamp(int((place.z / s.volume_depth + 1) * s.volume_nz), 0, s.volume_nz - 1);
     int slice = s.volume_offset + k * s.volume_nx * s.volume_ny;
-    return bilinear(medium[slice + i0.y * s.volume_nx + i0.x], medium[slice + i0.y * s.volume_nx + i1.x],
-                    medium[slice + i1.y * s.volume_nx + i0.x], medium[slice + i1.y * s.volume_nx + i1.x], w.x, w.y);
+    int row0 = slice + i0.y * s.volume_nx, row1 = slice + i1.y * s.volume_nx;
+    return bilinear(medium_value(row0 + i0.x), medium_value(row0 + i1.x), medium_value(row1 + i0.x),
+                    medium_value(row1 + i1.x), w.x, w.y);
 }
 
 // Light of the sun that the water scatters once towards the eye on the way from `from` along d.

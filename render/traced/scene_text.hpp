@@ -36,6 +36,12 @@ class SceneText {
     const vec4* palette = nullptr;
     const float* beams = nullptr;  ///< the picture of beams, or null
 
+    vec4 surface_cell(int k) const { return surface_cells[k]; }
+    float light_value(int k) const { return light[k]; }
+    float medium_value(int k) const { return medium[k]; }
+    float ground_value(int k) const { return ground[k]; }
+    float beam_value(int k) const { return beams[k]; }
+
     struct PerPixel {
         vec3 right{0, 0, 0}, up{0, 0, 0};
         PerPixel() = default;

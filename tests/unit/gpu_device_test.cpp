@@ -19,6 +19,7 @@ DeviceDescription device(std::string name, DeviceType type) {
             .api = {1, 3, 0},
             .compute = true,
             .largest_storage_buffer_b = std::uint64_t{1} << 30,
+            .most_texels = 1U << 27,
             .memory_b = std::uint64_t{1} << 33};
 }
 
@@ -43,12 +44,14 @@ TEST(DeviceSelection, PassesOverABetterDeviceThatCannotBeUsedAndSaysWhy) {
     old.api = {1, 1, 5};
     old.compute = false;
     old.largest_storage_buffer_b = 1 << 16;
+    old.most_texels = 1 << 16;
     const Selection selection = select_device({old, lavapipe});
     EXPECT_EQ(selection.chosen, 1U);
-    ASSERT_EQ(selection.candidates[0].rejections.size(), 3U);
+    ASSERT_EQ(selection.candidates[0].rejections.size(), 4U);
     EXPECT_EQ(selection.candidates[0].rejections[0], "offers Vulkan 1.1.5, needs 1.3.0");
     EXPECT_EQ(selection.candidates[0].rejections[1], "has no queue for compute passes");
     EXPECT_EQ(selection.candidates[0].rejections[2], "holds storage buffers of 65536 bytes, needs 134217728");
+    EXPECT_EQ(selection.candidates[0].rejections[3], "reads 65536 texels of a buffer, needs 33554432");
     EXPECT_TRUE(selection.candidates[1].usable());
 }
 

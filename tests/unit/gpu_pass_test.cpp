@@ -10,6 +10,7 @@
 #include "gpu/commands.hpp"
 #include "gpu/error.hpp"
 #include "shaders/gpu_scale.hpp"
+#include "shaders/gpu_texels.hpp"
 #include "tests/support/gpu_fixture.hpp"
 
 namespace waterlight::gpu {
@@ -62,6 +63,31 @@ TEST_F(GpuPass, EachDispatchSeesWhatTheOneBeforeWrote) { expect_each_dispatch_se
 TEST_F(GpuPass, AndSoItDoesThroughStagingAreas) {
     open({.staging = true, .validation = true});
     expect_each_dispatch_sees_the_one_before(context);
+}
+
+// The second dispatch reads as texels what the first one wrote; numbers and sums are whole and exact in float.
+TEST_F(GpuPass, TexelsAreTheNumbersOfABufferOneTwoOrFourAtATime) {
+    constexpr int count = 1000;
+    Buffer from(context, count * sizeof(float), BufferUse::from_host);
+    Buffer between(context, count * sizeof(float), BufferUse::device);
+    Buffer to(context, count * sizeof(float), BufferUse::to_host);
+    const PassSettings settings{.name = "texels",
+                                .spirv = shaders::gpu_texels,
+                                .buffers = 1,
+                                .push_bytes = sizeof(int),
+                                .workgroup = {64, 1, 1},
+                                .texels = {Texels::r32f, Texels::rg32f, Texels::rgba32f}};
+    Pass there(context, settings), on(context, settings);
+    there.bind({&between}, {&from, &from, &from});
+    on.bind({&to}, {&between, &between, &between});
+    std::iota(from.host<float>().begin(), from.host<float>().end(), 0.0F);
+    Commands commands(context);
+    commands.upload(from);
+    commands.dispatch(there, {count, 1, 1}, count);
+    commands.dispatch(on, {count, 1, 1}, count);
+    commands.download(to);
+    commands.run();
+    for (int i = 0; i < count; ++i) ASSERT_EQ(to.host<float>()[i], 111.0F * 111.0F * static_cast<float>(i)) << i;
 }
 
 TEST_F(GpuPass, AListCanBeRecordedAgainAfterItRan) {
