@@ -9,16 +9,21 @@
 #include "caustics/splat/shaders/splat_parameters.glsl"
 
 layout(push_constant) uniform Push { SplatShift shift; };
-layout(std430, binding = 0) readonly buffer Records { SplatRecord records[]; };
 
-layout(location = 0) flat in int splat;
+// As splat_box.vert gives it.
+layout(location = 0) flat in ivec2 pixel;
+layout(location = 1) flat in vec4 place;
+layout(location = 2) flat in vec4 shape;
+layout(location = 3) flat in vec4 west;
+layout(location = 4) flat in vec4 south;
+layout(location = 5) flat in float west_inside;
 layout(location = 0) out float power;
 
 #include "caustics/splat/shaders/splat_share.glsl"
 
 void main() {
-    SplatRecord r = records[splat];
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec2 corner = vec2(pixel.x - r.pixel_x, pixel.y - r.pixel_y) - (vec2(r.part_x, r.part_y) + vec2(shift.x, shift.y));
+    SplatRecord r = SplatRecord(pixel.x, pixel.y, place.x, place.y, place.z, shape.x, shape.y, shape.z, place.w, 0, 0, west.x,
+                                west.y, west.z, west.w, west_inside, south.x, south.y, south.z, south.w, shape.w);
+    vec2 corner = vec2(ivec2(gl_FragCoord.xy) - pixel) - (place.xy + vec2(shift.x, shift.y));
     power = r.power * splat_share(r, corner);
 }
