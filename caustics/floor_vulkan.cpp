@@ -6,8 +6,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "caustics/floor_frame.hpp"
 #include "caustics/floor_samples.hpp"
@@ -96,24 +99,17 @@ class FloorVulkan final : public FloorMapper {
           find_shadows_(settings),
           context_(std::move(context)),
           commands_(context_) {
-        constexpr std::uint32_t push = sizeof(FloorParameters);
         const std::vector<gpu::Texels> numbers{gpu::Texels::r32f}, surface(3, gpu::Texels::r32f);
-        const auto land =
-            shaded_
-                ? gpu::PassSettings{"floor: land shaded", shaders::floor_land_shaded, 4, push, row_workgroup, surface}
-                : gpu::PassSettings{"floor: land", shaders::floor_land, 3, push, row_workgroup, surface};
-        land_.emplace(context_, land);
-        const auto gather =
-            settings.footprint == Footprint::adaptive
-                ? gpu::PassSettings{"floor: gather adaptive",
-                                    shaders::floor_gather_adaptive,
-                                    1,
-                                    push,
-                                    tile_workgroup,
-                                    numbers}
-                : gpu::PassSettings{"floor: gather", shaders::floor_gather, 1, push, tile_workgroup, numbers};
-        gather_.emplace(context_, gather);
-        sum_.emplace(context_, gpu::PassSettings{"floor: sum", shaders::floor_sum, 1, push, tile_workgroup, numbers});
+        const auto pass = [&](const char* name, std::span<const std::uint32_t> spirv, std::uint32_t buffers,
+                              std::array<std::uint32_t, 3> workgroup, const std::vector<gpu::Texels>& texels) {
+            return gpu::Pass(context_, {name, spirv, buffers, sizeof(FloorParameters), workgroup, texels});
+        };
+        land_ = shaded_ ? pass("floor: land shaded", shaders::floor_land_shaded, 4, row_workgroup, surface)
+                        : pass("floor: land", shaders::floor_land, 3, row_workgroup, surface);
+        gather_ = settings.footprint == Footprint::adaptive
+                      ? pass("floor: gather adaptive", shaders::floor_gather_adaptive, 1, tile_workgroup, numbers)
+                      : pass("floor: gather", shaders::floor_gather, 1, tile_workgroup, numbers);
+        sum_ = pass("floor: sum", shaders::floor_sum, 1, tile_workgroup, numbers);
     }
 
     std::string_view backend() const override { return "vulkan"; }

@@ -23,10 +23,18 @@ void memory(benchmark::State& state) {
     state.SetBytesProcessed(state.iterations() * std::int64_t{12} * n);
 }
 
-// Sixteen independent sums of the widest vectors, so that no sum waits for itself.
+// The widest vectors, and so many independent sums of them that none waits for itself and all have a register.
+#if defined(__AVX512F__)
+constexpr int vector_bytes = 64, sums = 16;
+#elif defined(__AVX__)
+constexpr int vector_bytes = 32, sums = 12;
+#else
+constexpr int vector_bytes = 16, sums = 12;
+#endif
+
 void arithmetic(benchmark::State& state) {
-    using Vector [[gnu::vector_size(64)]] = float;
-    constexpr int sums = 16, rounds = 1 << 20;
+    using Vector [[gnu::vector_size(vector_bytes)]] = float;
+    constexpr int rounds = 1 << 20;
     const int threads = omp_get_max_threads();
     for (auto _ : state) {
 #pragma omp parallel num_threads(threads)
