@@ -69,10 +69,10 @@ enum class Depth {
 };
 
 /// The layout of a raster pass: buffers at set 0, bindings 0, 1, ..., the first of them uniform blocks, the others
-/// storage; then the targets that it reads, as `texture2D` or, of several samples, `texture2DMS`; and one block of push
-/// constants. Its shaders only read, and both see all. Vertices are pulled from the buffers by gl_VertexIndex and
-/// gl_InstanceIndex. The fragment shader's output 0 is a pixel of the target's format. Fragments of one draw are
-/// blended in the order of instances.
+/// storage; then the targets that it reads, as `texture2D` or, of several samples, `texture2DMS`; then the
+/// buffers that it reads as texels; and one block of push constants. Its shaders only read, and both see all. Vertices
+/// are pulled from the buffers by gl_VertexIndex and gl_InstanceIndex. The fragment shader's output 0 is a pixel of the
+/// target's format. Fragments of one draw are blended in the order of instances.
 struct RasterSettings {
     std::string name;                             ///< for errors and timings
     std::span<const std::uint32_t> vertex_spirv;  ///< entry point "main"; both must outlive the pass
@@ -98,8 +98,8 @@ class Raster {
     Raster(Raster&&) noexcept;
     Raster& operator=(Raster&&) noexcept;
 
-    /// The buffers of bindings 0, 1, ..., all of them, then the targets. They must outlive their use. Not while
-    /// commands run that use it.
+    /// The buffers of bindings 0, 1, ..., all of them, then the targets, then the buffers read as texels. They
+    /// must outlive their use. Not while commands run that use it.
     void bind(std::initializer_list<const Buffer*> buffers, std::initializer_list<const Target*> targets = {},
               std::initializer_list<const Buffer*> texels = {});
 

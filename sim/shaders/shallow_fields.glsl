@@ -21,7 +21,7 @@ layout(std430, binding = 3) buffer FluxY { vec4 flux_y[]; };
 // Binding 4 is a pass's own: SHALLOW_PEAK or its records.
 
 // The same as texels, for cells that the pass does not write, or not before it reads them: a device that is a CPU takes
-// numbers of buffers one by one, and texels of several invocations at once. Surface and depth at the start are only so.
+// numbers of buffers one by one, and texels of several invocations at once. Surface and depth at the start are only here.
 layout(binding = 5) uniform samplerBuffer start_texels;
 layout(binding = 6) uniform samplerBuffer now_texels;
 layout(binding = 7) uniform samplerBuffer change_texels;

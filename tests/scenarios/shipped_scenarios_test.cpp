@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How much of a scenario runs on a Vulkan device that is a CPU, at some 5 million cells a second. `opening`: the first
+/// How much of a scenario runs on a Vulkan device that is a CPU, at some 3 million cells a second. `opening`: the first
 /// second, judged by what holds at all times.
 enum class OnSoftware { whole, opening, none };
 
